@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_CURVE_SKELETON_3_H
+#define CGAL_CURVE_SKELETON_3_H
+
+#include <boost/graph/adjacency_list.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+
+/// What a vertex of a curve skeleton knows.
+template <typename GeomTraits>
+struct Curve_skeleton_vertex_3
+{
+  /// Position, in the coordinates of the input.
+  typename GeomTraits::Point_3 point{0, 0, 0};
+
+  /// Distance to the nearest surface that faces the vertex; >= 0, in the unit of the input.
+  typename GeomTraits::FT radius = 0;
+
+  /// Positions in the input range, ascending, of the points this vertex stands for.
+  /// Every input point belongs to at most one vertex: outliers belong to none.
+  std::vector<std::size_t> indices;
+};
+
+/// A curve skeleton: an undirected BGL graph with the same layout as
+/// `Mean_curvature_flow_skeletonization::Skeleton`, so that `skeleton[v].point` and
+/// `split_graph_into_polylines()` work on either.
+template <typename GeomTraits>
+using Curve_skeleton_3 = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS,
+                                               Curve_skeleton_vertex_3<GeomTraits>>;
+
+} // namespace CGAL
+
+#endif // CGAL_CURVE_SKELETON_3_H

@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_GAUSSIAN_MIXTURE_3_H
+#define CGAL_GAUSSIAN_MIXTURE_3_H
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+
+/// One anisotropic Gaussian of a mixture: a small surface patch of the input.
+template <typename GeomTraits>
+struct Gaussian_component_3
+{
+  using FT = typename GeomTraits::FT;
+  using Point_3 = typename GeomTraits::Point_3;
+
+  /// Number of input points the component stands for; fractional after expectation maximization,
+  /// and divided by the local density if the mixture was asked to even it out. > 0.
+  FT weight = 0;
+
+  /// Mean, in the coordinates of the input.
+  Point_3 mean{0, 0, 0};
+
+  /// Covariance (length squared), symmetric positive semidefinite, as its upper triangle
+  /// xx, xy, xz, yy, yz, zz - the order of CGAL's `DiagonalizeTraits`.
+  std::array<FT, 6> covariance{{0, 0, 0, 0, 0, 0}};
+};
+
+/// A hierarchy of Gaussian mixtures of one point set; data only.
+///
+/// Every level describes the whole input and has the same total weight, mean and covariance;
+/// `levels.front()` is the finest, `levels.back()` the coarsest. Empty for an empty input.
+template <typename GeomTraits>
+struct Gaussian_mixture_3
+{
+  using Component = Gaussian_component_3<GeomTraits>;
+  using Level = std::vector<Component>;
+
+  std::vector<Level> levels;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_GAUSSIAN_MIXTURE_3_H

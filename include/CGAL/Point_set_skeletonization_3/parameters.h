@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_PARAMETERS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_PARAMETERS_H
+
+#include <CGAL/Named_function_parameters.h>
+
+namespace CGAL {
+namespace internal_np {
+
+enum as_published_t { as_published };
+
+} // namespace internal_np
+
+namespace parameters {
+
+/// The named parameter `as_published`.
+///
+/// CGAL's own parameters chain as members; a package outside CGAL cannot add one to that chain, so
+/// the parameters of this package take the rest of the chain as an optional second argument:
+/// `as_published(true)`, `as_published(true, CGAL::parameters::point_map(map))`.
+template <typename Rest = internal_np::No_property>
+Named_function_parameters<bool, internal_np::as_published_t, Rest>
+as_published(bool value, const Rest& rest = Rest())
+{
+  return {value, rest};
+}
+
+} // namespace parameters
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_PARAMETERS_H
