@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_NORMALIZATION_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_NORMALIZATION_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
+
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// The similarity that takes the input's bounding box to one centred at the origin with a diagonal
+/// of length 1, and back. All stages work in these coordinates: neither a geographic offset nor the
+/// unit of length can cost precision or change a result.
+class Normalization
+{
+public:
+  Normalization() = default;
+
+  /// `lower` and `upper` are the corners of the input's bounding box.
+  Normalization(const Vector3& lower, const Vector3& upper)
+    // Halves are added so that no box of finite coordinates overflows.
+    : center_(lower / 2 + upper / 2), diagonal_(2 * (upper / 2 - lower / 2).stableNorm())
+  {
+    if(!(diagonal_ > 0))
+      diagonal_ = 1;
+  }
+
+  /// Length of the input's bounding box diagonal; 1 if all points are equal.
+  double diagonal() const { return diagonal_; }
+
+  Vector3 to_unit(const Vector3& p) const { return (p - center_) / diagonal_; }
+  Vector3 from_unit(const Vector3& p) const { return p * diagonal_ + center_; }
+
+  template <typename Point_3>
+  static Vector3 vector(const Point_3& p)
+  {
+    return Vector3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  }
+
+  template <typename GeomTraits>
+  typename GeomTraits::Point_3 point(const Vector3& p) const
+  {
+    using FT = typename GeomTraits::FT;
+    const Vector3 q = from_unit(p);
+    return typename GeomTraits::Point_3(static_cast<FT>(q.x()), static_cast<FT>(q.y()),
+                                        static_cast<FT>(q.z()));
+  }
+
+  /// Upper triangle of a covariance, scaled back to the input's unit.
+  template <typename FT>
+  std::array<FT, 6> covariance(const Matrix3& c) const
+  {
+    const Matrix3 s = c * (diagonal_ * diagonal_);
+    return {{static_cast<FT>(s(0, 0)), static_cast<FT>(s(0, 1)), static_cast<FT>(s(0, 2)),
+             static_cast<FT>(s(1, 1)), static_cast<FT>(s(1, 2)), static_cast<FT>(s(2, 2))}};
+  }
+
+  template <typename FT>
+  Matrix3 unit_covariance(const std::array<FT, 6>& c) const
+  {
+    Matrix3 s;
+    s << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
+    return s / (diagonal_ * diagonal_);
+  }
+
+private:
+  Vector3 center_ = Vector3::Zero();
+  double diagonal_ = 1;
+};
+
+/// The similarity that normalises `points`.
+/// \throws std::invalid_argument that names the first point with a coordinate that is not finite
+inline Normalization normalization_of(const std::vector<Vector3>& points)
+{
+  if(points.empty())
+    return Normalization();
+  Vector3 lower = points.front(), upper = points.front();
+  for(std::size_t i = 0; i < points.size(); ++i) {
+    if(!points[i].allFinite())
+      throw std::invalid_argument("point " + std::to_string(i) +
+                                  " has a coordinate that is not finite; remove or repair it");
+    lower = lower.cwiseMin(points[i]);
+    upper = upper.cwiseMax(points[i]);
+  }
+  return Normalization(lower, upper);
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_NORMALIZATION_H

@@ -1,0 +1,237 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_GRID_MOMENTS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_GRID_MOMENTS_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+struct Grid_options
+{
+  /// Points a patch should hold on average: fewer make its normal noise, more lose thin limbs.
+  double points_per_patch = 6;
+
+  /// The cost of all that follows depends on the patches only, so their number is bounded.
+  std::size_t maximum_patches = 4000;
+
+  /// A cloud this small is all detail: every patch is kept.
+  std::size_t minimum_patches = 400;
+
+  std::size_t patches(std::size_t points) const
+  {
+    const auto wanted = static_cast<std::size_t>(static_cast<double>(points) / points_per_patch);
+    return std::min(std::max(wanted, minimum_patches), maximum_patches);
+  }
+
+  void check() const
+  {
+    CGAL_precondition(points_per_patch >= 1);
+    CGAL_precondition(minimum_patches >= 1 && minimum_patches <= maximum_patches);
+  }
+};
+
+/// A cubic grid of cells that hold the exact moments of their points.
+///
+/// The grid starts very fine and is halved in resolution whenever it holds more than a bounded
+/// number of cells; so one pass over the points suffices, in bounded memory, and which resolution
+/// remains depends on the set of points only, not on their order.
+class Moment_grid
+{
+public:
+  using Cell = std::array<std::int32_t, 3>;
+
+  explicit Moment_grid(std::size_t maximum_cells) : maximum_cells_(maximum_cells) {}
+
+  /// Edge length of a cell, in units of the bounding box diagonal.
+  double cell_size() const { return std::ldexp(1.0, -level_); }
+
+  void add(const Vector3& p)
+  {
+    const Cell cell = cell_of(p);
+    entry(cell).add(1, p);
+    while(cells_.size() > maximum_cells_)
+      coarsen();
+  }
+
+  void add(Moment_grid other)
+  {
+    while(other.level_ > level_)
+      other.coarsen();
+    while(level_ > other.level_)
+      coarsen();
+    for(const auto& item : other.sorted())
+      entry(item.first).add(item.second);
+    while(cells_.size() > maximum_cells_)
+      coarsen();
+  }
+
+  /// Cells and their Gaussians, in lexicographic order.
+  std::vector<std::pair<Cell, Gaussian>> sorted() const
+  {
+    std::vector<std::pair<Cell, Gaussian>> result;
+    result.reserve(cells_.size());
+    for(const auto& item : cells_)
+      result.emplace_back(item.first, item.second.gaussian());
+    std::sort(result.begin(), result.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    return result;
+  }
+
+private:
+  struct Hash
+  {
+    std::size_t operator()(const Cell& c) const
+    {
+      std::uint64_t h = 0;
+      for(std::int32_t i : c)
+        h = (h ^ static_cast<std::uint32_t>(i)) * 0x9E3779B97F4A7C15u;
+      return static_cast<std::size_t>(h ^ (h >> 29));
+    }
+  };
+
+  Cell cell_of(const Vector3& p) const
+  {
+    Cell cell;
+    for(int k = 0; k < 3; ++k)
+      cell[static_cast<std::size_t>(k)] =
+        static_cast<std::int32_t>(std::floor(std::ldexp(p[k], level_)));
+    return cell;
+  }
+
+  Moments& entry(const Cell& cell)
+  {
+    const auto found = cells_.find(cell);
+    if(found != cells_.end())
+      return found->second;
+    const Vector3 corner(cell[0], cell[1], cell[2]);
+    return cells_.emplace(cell, Moments((corner + Vector3::Constant(0.5)) * cell_size()))
+      .first->second;
+  }
+
+  void coarsen()
+  {
+    const auto fine = sorted(); // an order of its own, so that sums do not depend on the hash table
+    cells_.clear();
+    --level_;
+    for(const auto& item : fine) {
+      Cell cell = item.first;
+      for(std::int32_t& i : cell)
+        i = (i - (i < 0 ? 1 : 0)) / 2; // floor(i / 2)
+      entry(cell).add(item.second);
+    }
+  }
+
+  std::size_t maximum_cells_;
+  // 1/4096 of the diagonal: finer than any patch, and cell indices stay far from overflow.
+  int level_ = 12;
+  std::unordered_map<Cell, Moments, Hash> cells_;
+};
+
+/// Moments of `points` in a fine grid. The points are cut into blocks of a fixed size whose grids
+/// are added in order, so the sums are the same for any number of threads.
+template <typename ConcurrencyTag>
+Moment_grid fine_grid(const std::vector<Vector3>& points, std::size_t maximum_cells)
+{
+  constexpr std::size_t block_size = 1 << 18;
+  std::vector<Moment_grid> blocks((points.size() + block_size - 1) / block_size,
+                                  Moment_grid(maximum_cells));
+  parallel_for<ConcurrencyTag>(blocks.size(), [&](std::size_t b) {
+    const std::size_t end = std::min(points.size(), (b + 1) * block_size);
+    for(std::size_t i = b * block_size; i < end; ++i)
+      blocks[b].add(points[i]);
+  });
+  Moment_grid result(maximum_cells);
+  for(Moment_grid& block : blocks)
+    result.add(std::move(block));
+  return result;
+}
+
+/// A level of a grid mixture: what the cells hold and how large they are.
+struct Grid_level
+{
+  Gaussians gaussians;
+  double cell_size = 0;
+};
+
+/// The cells of `fine` merged into cells `factor` times as wide; merging moments is exact.
+inline Grid_level merged_cells(const std::vector<std::pair<Moment_grid::Cell, Gaussian>>& fine,
+                               double fine_cell_size, std::int32_t factor)
+{
+  using Cell = Moment_grid::Cell;
+  std::vector<std::pair<Cell, std::size_t>> order;
+  order.reserve(fine.size());
+  for(std::size_t i = 0; i < fine.size(); ++i) {
+    Cell cell = fine[i].first;
+    for(std::int32_t& c : cell)
+      c = c >= 0 ? c / factor : -((-c + factor - 1) / factor);
+    order.emplace_back(cell, i);
+  }
+  std::sort(order.begin(), order.end());
+
+  Grid_level level;
+  level.cell_size = fine_cell_size * factor;
+  for(std::size_t begin = 0, end; begin < order.size(); begin = end) {
+    Moments moments(fine[order[begin].second].second.mean);
+    for(end = begin; end < order.size() && order[end].first == order[begin].first; ++end)
+      moments.add(fine[order[end].second].second);
+    level.gaussians.push_back(moments.gaussian());
+  }
+  return level;
+}
+
+/// Grid moments: the mixture whose components are the occupied cells of a grid, with the exact
+/// moments of their points; the first level is the finest grid with at most
+/// `options.patches(points.size())` cells, every next one has cells twice as wide.
+template <typename ConcurrencyTag>
+std::vector<Grid_level> grid_moments(const std::vector<Vector3>& points,
+                                     const Grid_options& options, std::size_t number_of_levels)
+{
+  options.check();
+  std::vector<Grid_level> levels;
+  if(points.empty())
+    return levels;
+
+  // Fine cells outnumber patches by far, so that widths can be chosen in small steps.
+  const std::size_t wanted = options.patches(points.size());
+  const Moment_grid grid = fine_grid<ConcurrencyTag>(points, 32 * options.maximum_patches);
+  const auto fine = grid.sorted();
+
+  std::int32_t factor = 1;
+  Grid_level level = merged_cells(fine, grid.cell_size(), factor);
+  while(level.gaussians.size() > wanted) {
+    // Occupied cells of a surface fall with the square of their width: step towards the aim, by
+    // at least one and never past it.
+    const double excess = std::sqrt(static_cast<double>(level.gaussians.size()) /
+                                    static_cast<double>(wanted));
+    factor = std::max(factor + 1, static_cast<std::int32_t>(factor * std::sqrt(excess)));
+    level = merged_cells(fine, grid.cell_size(), factor);
+  }
+  levels.push_back(std::move(level));
+  while(levels.size() < number_of_levels) {
+    factor *= 2;
+    levels.push_back(merged_cells(fine, grid.cell_size(), factor));
+  }
+  return levels;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_GRID_MOMENTS_H
