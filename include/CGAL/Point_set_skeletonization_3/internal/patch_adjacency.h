@@ -1,0 +1,122 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PATCH_ADJACENCY_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PATCH_ADJACENCY_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// A mixture component read as a piece of surface.
+struct Patch
+{
+  Vector3 mean = Vector3::Zero();
+  double weight = 0;
+
+  /// Unit normal; its sign means something only after `orient_patches()`.
+  Vector3 normal = Vector3::UnitZ();
+
+  /// How flat the patch and its surroundings are, in [0, 1]: 1 for a plane, 0 where the two
+  /// smaller principal variances are equal and a normal is a guess.
+  double planarity = 0;
+
+  /// Distance at which neighbouring patches lie.
+  double spacing = 0;
+
+  /// Patches next to it on the surface, ascending; symmetric.
+  std::vector<std::size_t> neighbors;
+};
+
+/// Half a dozen patches surround a patch on a surface; a few more let diagonals in.
+constexpr std::size_t patch_neighbors = 10;
+
+/// A neighbour further away than this many times the spacing of either patch lies across a gap.
+/// Between two cells of a sampled surface the spacing itself varies by less than that.
+constexpr double adjacency_reach = 2.2;
+
+/// Two patches face each other, rather than continue each other, if the segment between them
+/// leaves both within 45 degrees of their normals.
+constexpr double facing_cosine = 0.7071;
+
+/// Normal and planarity of a patch, from its own moments and those of its neighbours with a
+/// Gaussian weight of the local spacing: few points make the moments of a single patch noisy.
+inline void estimate_normal(Patch& patch, const Gaussians& gaussians,
+                            const std::vector<Neighbor_search::Neighbor>& nearest)
+{
+  Moments moments(patch.mean);
+  for(const auto& neighbor : nearest) {
+    const double r2 = neighbor.squared_distance / (patch.spacing * patch.spacing);
+    moments.add(std::exp(-2 * r2) * gaussians[neighbor.index].weight, gaussians[neighbor.index]);
+  }
+  Eigen::SelfAdjointEigenSolver<Matrix3> solver;
+  solver.computeDirect(moments.gaussian().covariance);
+  const Vector3 variance = solver.eigenvalues().cwiseMax(0);
+  patch.normal = solver.eigenvectors().col(0).normalized();
+  patch.planarity = variance[1] > 0 ? 1 - variance[0] / variance[1] : 0;
+  if(!patch.normal.allFinite())
+    patch.normal = Vector3::UnitZ();
+}
+
+/// Whether two patches belong to two sheets that face each other.
+inline bool face_each_other(const Patch& a, const Patch& b)
+{
+  const Vector3 d = (b.mean - a.mean).normalized();
+  return std::abs(a.normal.dot(d)) * a.planarity > facing_cosine * facing_cosine &&
+         std::abs(b.normal.dot(d)) * b.planarity > facing_cosine * facing_cosine;
+}
+
+/// Turns a mixture level into patches that know their neighbours on the surface.
+template <typename ConcurrencyTag>
+std::vector<Patch> surface_patches(const Gaussians& gaussians)
+{
+  std::vector<Patch> patches(gaussians.size());
+  std::vector<std::vector<Neighbor_search::Neighbor>> nearest(gaussians.size());
+  const Neighbor_search search(gaussians.size(), [&](std::size_t i) { return gaussians[i].mean; });
+
+  parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
+    Patch& patch = patches[i];
+    patch.mean = gaussians[i].mean;
+    patch.weight = gaussians[i].weight;
+    search.nearest(patch.mean, patch_neighbors + 1, nearest[i]);
+    const std::size_t middle = nearest[i].size() / 2;
+    patch.spacing = std::sqrt(nearest[i][middle].squared_distance);
+    if(patch.spacing > 0)
+      estimate_normal(patch, gaussians, nearest[i]);
+  });
+
+  std::vector<std::pair<std::size_t, std::size_t>> edges;
+  for(std::size_t i = 0; i < patches.size(); ++i)
+    for(const auto& neighbor : nearest[i]) {
+      const std::size_t j = neighbor.index;
+      const double reach = adjacency_reach * std::min(patches[i].spacing, patches[j].spacing);
+      if(j == i || neighbor.squared_distance > reach * reach ||
+         face_each_other(patches[i], patches[j]))
+        continue;
+      edges.emplace_back(i, j);
+      edges.emplace_back(j, i);
+    }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  for(const auto& e : edges)
+    patches[e.first].neighbors.push_back(e.second);
+  return patches;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PATCH_ADJACENCY_H

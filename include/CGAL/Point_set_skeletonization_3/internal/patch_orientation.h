@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PATCH_ORIENTATION_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PATCH_ORIENTATION_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// How well the normal of `b` continues that of `a`: the cosine between `a`'s normal and `b`'s
+/// mirrored in the plane halfway between them, which is 1 for any two patches of one round tube
+/// however far apart (Hoppe et al. 1992 compare the normals themselves and lose thin limbs).
+inline double continuation(const Patch& a, const Patch& b)
+{
+  const Vector3 d = (b.mean - a.mean).normalized();
+  return a.normal.dot(b.normal - 2 * d.dot(b.normal) * d);
+}
+
+/// Flips every normal of one connected piece of surface so that the volume it encloses is positive.
+inline void turn_outwards(std::vector<Patch>& patches, const std::vector<std::size_t>& piece)
+{
+  Vector3 center = Vector3::Zero();
+  double weight = 0;
+  for(std::size_t i : piece) {
+    center += patches[i].weight * patches[i].mean;
+    weight += patches[i].weight;
+  }
+  center /= weight;
+  double flux = 0; // of the field x - center through the oriented patches: 3 times the volume
+  for(std::size_t i : piece)
+    flux += patches[i].planarity * patches[i].spacing * patches[i].spacing *
+            patches[i].normal.dot(patches[i].mean - center);
+  if(flux < 0)
+    for(std::size_t i : piece)
+      patches[i].normal = -patches[i].normal;
+}
+
+/// Makes the normals of adjacent patches consistent and outward: a spanning tree that crosses the
+/// best continued edges first (Hoppe et al. 1992) hands the sign on, and the sign of the enclosed
+/// volume fixes it for every connected piece.
+inline void orient_patches(std::vector<Patch>& patches)
+{
+  using Step = std::tuple<double, std::size_t, std::size_t>; // trust, to, from
+  std::vector<bool> done(patches.size(), false);
+  std::vector<std::size_t> piece;
+  for(std::size_t root = 0; root < patches.size(); ++root) {
+    if(done[root])
+      continue;
+    piece.clear();
+    std::priority_queue<Step> front;
+    front.emplace(1, root, root);
+    while(!front.empty()) {
+      const std::size_t i = std::get<1>(front.top()), from = std::get<2>(front.top());
+      front.pop();
+      if(done[i])
+        continue;
+      done[i] = true;
+      piece.push_back(i);
+      if(continuation(patches[from], patches[i]) < 0)
+        patches[i].normal = -patches[i].normal;
+      for(std::size_t j : patches[i].neighbors)
+        if(!done[j])
+          front.emplace(std::abs(continuation(patches[i], patches[j])) *
+                          std::min(patches[i].planarity, patches[j].planarity),
+                        j, i);
+    }
+    turn_outwards(patches, piece);
+  }
+}
+
+/// How far the orientation of every patch can be trusted, in [0, 1]: how flat it is, times how well
+/// its neighbours' normals agree with it. Near 0 on twigs thinner than the sampling and in heavy
+/// noise: there whatever relies on a normal has to fade out.
+inline std::vector<double> orientation_confidence(const std::vector<Patch>& patches)
+{
+  std::vector<double> confidence(patches.size(), 0);
+  for(std::size_t i = 0; i < patches.size(); ++i) {
+    double agreement = 0;
+    for(std::size_t j : patches[i].neighbors)
+      agreement += continuation(patches[i], patches[j]);
+    if(!patches[i].neighbors.empty())
+      agreement /= static_cast<double>(patches[i].neighbors.size());
+    confidence[i] = patches[i].planarity * std::max(0.0, agreement);
+  }
+  return confidence;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PATCH_ORIENTATION_H
