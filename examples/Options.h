@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef POINT_SET_SKELETONIZATION_3_EXAMPLES_OPTIONS_H
+#define POINT_SET_SKELETONIZATION_3_EXAMPLES_OPTIONS_H
+
+#include <CGAL/IO/Curve_skeleton_3.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstddef>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+/// The command line of `skeletonize_point_set`.
+struct Options
+{
+  std::string input;
+  std::vector<std::string> outputs;
+  std::string points;
+  bool as_published = false;
+  std::size_t sample = 0; ///< 0: take the vertices
+  int threads = 0;        ///< 0: all cores
+  unsigned int seed = 0;
+  bool stats = false;
+  bool quiet = false;
+};
+
+struct Parsed
+{
+  bool run; ///< false: help was asked for and shown
+  Options options;
+};
+
+/// Finds out before the work, not after it, that a file cannot be written where it is wanted.
+/// \throw std::runtime_error
+inline void check_output(const std::string& filename, const std::string& input)
+{
+  const auto fail = [&filename](const std::string& why) {
+    throw std::runtime_error("cannot write '" + filename + "': " + why);
+  };
+  const std::filesystem::path path(filename);
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  std::error_code ignored;
+  if(!std::filesystem::is_directory(folder, ignored))
+    fail("there is no folder '" + folder.string() + "'");
+  if(std::filesystem::is_directory(path, ignored))
+    fail("it is a folder");
+  if(std::filesystem::equivalent(path, input, ignored))
+    fail("it is the input");
+}
+
+inline void check_outputs(const Options& options)
+{
+  std::set<std::string> names;
+  for(const std::string& output : options.outputs) {
+    if(!CGAL::IO::is_curve_skeleton_filename(output))
+      throw std::runtime_error("cannot write '" + output +
+                               "': name it .polylines.txt, .obj or .ply");
+    check_output(output, options.input);
+    names.insert(output);
+  }
+  if(names.size() < options.outputs.size())
+    throw std::runtime_error("an output is given twice");
+  if(options.points.empty())
+    return;
+  if(std::filesystem::path(options.points).extension() != ".xyz")
+    throw std::runtime_error("cannot write '" + options.points + "': name it .xyz");
+  check_output(options.points, options.input);
+}
+
+/// \throw std::runtime_error with a message of one line
+inline Parsed parse_options(int argc, char** argv)
+{
+  Options options;
+  CLI::App app("Curve skeleton of a raw point cloud: no normals, no mesh needed.",
+               "skeletonize_point_set");
+  app.add_option("INPUT", options.input, ".off, .ply, .xyz or .las; a mesh's vertices are points")
+      ->required();
+  app.add_option("-o,--output", options.outputs,
+                 "skeleton to write: .polylines.txt, .obj or .ply; may be repeated")
+      ->allow_extra_args(false);
+  app.add_option("--points", options.points,
+                 "also write the points it was computed from, .xyz; for --sample");
+  app.add_flag("--as-published", options.as_published, "the published method, for comparison");
+  app.add_option("--sample", options.sample, "draw N points from the surface of a mesh instead")
+      ->type_name("N")
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+  app.add_option("--threads", options.threads, "number of threads [all cores]")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  app.add_option("--seed", options.seed, "seed of everything random [0]")->type_name("N");
+  app.add_flag("--stats", options.stats, "print one line of JSON on standard output");
+  app.add_flag("--quiet", options.quiet, "no progress bar and no summary");
+  try {
+    app.parse(argc, argv);
+  } catch(const CLI::CallForHelp&) {
+    std::cout << app.help();
+    return {false, options};
+  } catch(const CLI::ParseError& error) {
+    throw std::runtime_error(std::string(error.what()) + " (try --help)");
+  }
+  check_outputs(options);
+  return {true, options};
+}
+
+#endif // POINT_SET_SKELETONIZATION_3_EXAMPLES_OPTIONS_H

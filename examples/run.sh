@@ -1,0 +1,18 @@
+#!/bin/sh
+# Builds the program and skeletonises CGAL's sample models: a skeleton and a picture of each.
+set -eu
+cd "$(dirname "$0")/.."
+. cmake/prepare.sh
+cmake --build build --target skeletonize_point_set
+
+results=build/sample_skeletons
+mkdir -p "$results"
+for model in dino elephant armadillo camel man knot2 hand; do
+  echo "== $model"
+  build/examples/skeletonize_point_set "build/cgal_data/data/meshes/$model.off" --sample 20000 \
+    --points "$results/$model.points.xyz" -o "$results/$model.ply" \
+    -o "$results/$model.polylines.txt" --stats
+  /usr/bin/python3 examples/draw_skeleton.py "$results/$model.ply" "$results/$model.points.xyz" \
+    "$results/$model.png"
+done
+echo "Skeletons (.ply, .polylines.txt) and pictures (.png) are in $PWD/$results"

@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+// Reads a point cloud, writes its curve skeleton. `skeletonize_point_set --help` tells the options.
+
+#include "Options.h"
+#include "Progress_bar.h"
+#include "graph_counts.h"
+#include "read_points.h"
+#include "sample_surface.h"
+
+#include <CGAL/IO/Curve_skeleton_3.h>
+#include <CGAL/L1_medial_skeletonization_3.h>
+#include <CGAL/Point_set_skeletonization_3/parameters.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <nlohmann/json.hpp>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#endif
+
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
+
+// What --stats prints, and the skeleton.
+struct Result
+{
+  Skeleton skeleton;
+  std::size_t mixture = 0;
+  std::size_t samples = 0;
+  std::size_t iterations = 0;
+  std::string stop_reason;
+  double mixture_seconds = 0;
+  double projection_seconds = 0;
+  double linking_seconds = 0;
+};
+
+// Set by Ctrl-C, which cancels at the next report of progress.
+volatile std::sig_atomic_t interrupted = 0;
+
+extern "C" void on_interrupt(int)
+{
+  interrupted = 1;
+}
+
+// Runs one stage and returns its seconds.
+template <typename Stage>
+double seconds_of(const Stage& stage)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  if(!stage())
+    throw std::runtime_error("interrupted");
+  return timer.time();
+}
+
+template <typename ConcurrencyTag>
+Result skeletonize(const std::vector<Point>& points, const Options& options, Progress_bar& bar)
+{
+  const auto progress = [&bar](double fraction) {
+    bar.show(fraction);
+    return interrupted == 0;
+  };
+  CGAL::L1_medial_skeletonization_3<Kernel, ConcurrencyTag> algorithm(
+      points, CGAL::parameters::as_published(
+                  options.as_published,
+                  CGAL::parameters::callback(progress).random_seed(options.seed)));
+  Result result;
+  result.mixture_seconds = seconds_of([&] { return algorithm.fit_mixture(); });
+  result.projection_seconds = seconds_of([&] { return algorithm.project(); });
+  result.linking_seconds = seconds_of([&] { return algorithm.link(); });
+  algorithm.extract_skeleton(result.skeleton);
+  if(!algorithm.mixture().levels.empty())
+    result.mixture = algorithm.mixture().levels.front().size();
+  result.samples = algorithm.samples().size();
+  result.iterations = algorithm.number_of_iterations();
+  result.stop_reason = CGAL::to_string(algorithm.stop_reason());
+  return result;
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+Result skeletonize_with_threads(const std::vector<Point>& points, const Options& options,
+                                Progress_bar& bar)
+{
+  const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
+  return threads == 1 ? skeletonize<CGAL::Sequential_tag>(points, options, bar)
+                      : skeletonize<CGAL::Parallel_tag>(points, options, bar);
+}
+#else
+Result skeletonize_with_threads(const std::vector<Point>& points, const Options& options,
+                                Progress_bar& bar)
+{
+  return skeletonize<CGAL::Sequential_tag>(points, options, bar);
+}
+#endif
+
+std::vector<Point> load(const Options& options)
+{
+  Points_and_faces<Point> input = read_points_and_faces<Point>(options.input);
+  if(options.sample == 0)
+    return std::move(input.points);
+  std::vector<Point> points = sample_surface(input, options.sample, options.seed);
+  if(points.empty())
+    throw std::runtime_error("cannot sample '" + options.input + "': it has no faces");
+  return points;
+}
+
+void write_points(const std::string& filename, const std::vector<Point>& points)
+{
+  CGAL::Point_set_skeletonization_3::internal::Output_file file(filename);
+  for(const Point& p : points)
+    file.stream() << p << '\n';
+  file.commit();
+}
+
+void print_stats(std::size_t points, const Result& result, const Graph_counts& counts)
+{
+  nlohmann::ordered_json seconds;
+  seconds["mixture"] = result.mixture_seconds;
+  seconds["projection"] = result.projection_seconds;
+  seconds["linking"] = result.linking_seconds;
+  seconds["total"] = result.mixture_seconds + result.projection_seconds + result.linking_seconds;
+  nlohmann::ordered_json stats;
+  stats["points"] = points;
+  stats["mixture"] = result.mixture;
+  stats["samples"] = result.samples;
+  stats["iterations"] = result.iterations;
+  stats["stop_reason"] = result.stop_reason;
+  stats["components"] = counts.components;
+  stats["cycles"] = counts.cycles;
+  stats["ends"] = counts.ends;
+  stats["junctions"] = counts.junctions;
+  stats["length"] = counts.length;
+  stats["seconds"] = seconds;
+  std::cout << stats.dump() << std::endl;
+}
+
+void print_summary(std::size_t points, const Graph_counts& counts)
+{
+  std::cout << "points " << points << ", components " << counts.components << ", cycles "
+            << counts.cycles << ", ends " << counts.ends << ", junctions " << counts.junctions
+            << ", length " << counts.length << std::endl;
+}
+
+void run(const Options& options)
+{
+  const std::vector<Point> points = load(options);
+  std::signal(SIGINT, on_interrupt);
+  Result result;
+  {
+    Progress_bar bar(!options.quiet);
+    result = skeletonize_with_threads(points, options, bar);
+  }
+  if(!options.points.empty())
+    write_points(options.points, points);
+  for(const std::string& output : options.outputs)
+    CGAL::IO::write_curve_skeleton(output, result.skeleton);
+  const Graph_counts counts = count_graph(result.skeleton);
+  if(options.stats)
+    print_stats(points.size(), result, counts);
+  else if(!options.quiet)
+    print_summary(points.size(), counts);
+}
+
+int main(int argc, char** argv)
+{
+  try {
+    const Parsed parsed = parse_options(argc, argv);
+    if(parsed.run)
+      run(parsed.options);
+    return EXIT_SUCCESS;
+  } catch(const std::exception& error) {
+    std::cerr << "skeletonize_point_set: " << error.what() << std::endl;
+    return EXIT_FAILURE;
+  }
+}

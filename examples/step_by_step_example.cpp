@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+// The three stages one by one, with what each leaves behind.
+
+#include "read_points.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/L1_medial_skeletonization_3.h>
+
+#include <algorithm>
+#include <iostream>
+#include <vector>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Skeletonization = CGAL::L1_medial_skeletonization_3<Kernel>;
+
+int main(int argc, char** argv)
+{
+  const std::vector<Kernel::Point_3> points = read_points<Kernel::Point_3>(
+      argc > 1 ? argv[1] : CGAL::data_file_path("points_3/kitten.xyz"));
+  Skeletonization skeletonization(points);
+
+  skeletonization.fit_mixture();
+  std::cout << points.size() << " points became a mixture of";
+  for(const auto& level : skeletonization.mixture().levels)
+    std::cout << ' ' << level.size();
+  std::cout << " Gaussians\n";
+
+  skeletonization.project();
+  const auto& samples = skeletonization.samples();
+  const auto frozen = std::count_if(samples.begin(), samples.end(),
+                                    [](const auto& sample) { return sample.frozen; });
+  std::cout << samples.size() << " samples, " << frozen << " of them frozen after "
+            << skeletonization.number_of_iterations()
+            << " iterations: " << CGAL::to_string(skeletonization.stop_reason()) << '\n';
+
+  skeletonization.link();
+  Skeletonization::Skeleton skeleton;
+  skeletonization.extract_skeleton(skeleton);
+  std::cout << "a skeleton of " << num_vertices(skeleton) << " vertices and "
+            << num_edges(skeleton) << " edges\n";
+}
