@@ -1,0 +1,15 @@
+#!/bin/sh
+# Installs the package into a folder of its own and builds and runs another project that finds it.
+# Usage: run.sh BUILD_FOLDER CMAKE GENERATOR COMPILER
+set -eu
+build=$1 cmake=$2 generator=$3 compiler=$4
+here=$(cd "$(dirname "$0")" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+"$cmake" --install "$build" --prefix "$work/prefix" > "$work/install.log"
+"$cmake" -S "$here" -B "$work/build" -G "$generator" -DCMAKE_CXX_COMPILER="$compiler" \
+  -DCMAKE_BUILD_TYPE=Debug -DCMAKE_PREFIX_PATH="$work/prefix"
+"$cmake" --build "$work/build"
+cd "$work"
+build/main
+test -s one_vertex.ply

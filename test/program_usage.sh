@@ -1,0 +1,36 @@
+#!/bin/sh
+# The options of the program. Usage: program_usage.sh PROGRAM
+. "$(dirname "$0")/program.sh"
+
+accepts --help
+check "help names the options" grep -q -- --as-published out
+
+refuses INPUT
+refuses --nonsense cloud.xyz --nonsense
+refuses cloud2.xyz cloud.xyz cloud2.xyz
+refuses --sample cloud.xyz --sample 0
+refuses --sample cloud.xyz --sample many
+refuses --sample cloud.xyz --sample -5
+refuses --threads cloud.xyz --threads 0
+refuses --threads cloud.xyz --threads 1.5
+refuses --seed cloud.xyz --seed x
+refuses "no faces" cloud.xyz --sample 100
+
+accepts cloud.xyz
+check "a summary" one_line out "points 600" "components"
+accepts cloud.xyz --quiet
+check "quiet" test ! -s out
+
+accepts cloud.xyz --stats
+order='"points":600,"mixture":.*"samples":.*"iterations":.*"stop_reason":".*"components":.*"cycles":'
+order=$order'.*"ends":.*"junctions":.*"length":.*"seconds":{"mixture":.*"projection":.*"linking":'
+check "one line of statistics" one_line out "{"
+check "the figures in their order" grep -q "^{$order.*\"total\":.*}}\$" out
+accepts cloud.xyz --stats --quiet
+check "statistics although quiet" one_line out '"points":600'
+
+accepts cloud.xyz --quiet --as-published -o published.ply
+accepts cloud.xyz --quiet --threads 1 --seed 3 -o one.ply
+accepts cloud.xyz --quiet --threads 2 --seed 3 -o two.ply
+check "the same for any number of threads" cmp one.ply two.ply
+finish
