@@ -2,25 +2,23 @@
 # Copyright (c) 2026 The Point_set_skeletonization_3 authors.
 # SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
 
-"""Draws a skeleton over its cloud, from the front and in three-quarter view.
+"""Draws a skeleton over its cloud, from the front and in three-quarter view."""
 
-Usage: draw_skeleton.py SKELETON.ply POINTS.xyz PICTURE.png
-"""
-
-import sys
+import argparse
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-from mpl_toolkits.mplot3d.art3d import Line3DCollection
+from matplotlib.collections import LineCollection
 
-MAX_DOTS = 8000  # more of them hide the skeleton
+MAX_DOTS = 12000  # more of them hide the skeleton
 COMPONENT_COLOURS = ["#1b5e9e", "#2e8b57", "#7b4fa3", "#a0632d", "#00838f", "#5d6d1e"]
 JUNCTION_COLOUR = "#d62728"
 END_COLOUR = "#1f9bff"
-VIEWS = [(0, 0), (20, 45)]  # elevation and azimuth in degrees
+CLOUD_COLOUR = "#c3c8ce"
+VIEWS = [(0, 0), (40, 20)]  # degrees: turned about the vertical, then seen from above
 
 
 def read_skeleton(filename):
@@ -51,50 +49,54 @@ def components(size, edges):
     return np.unique(label, return_inverse=True)[1]
 
 
-def upright(points):
-    """The axes in the order depth, width, height: a model stands on its longest side."""
-    order = np.argsort(np.ptp(points, axis=0), kind="stable")
-    return order
+def view_of(points, up, turn, tilt):
+    """A matrix that projects to (right, up) on the picture; depth is the thinner other axis."""
+    vertical = "xyz".index(up)
+    extents = np.ptp(points, axis=0)
+    depth = min((i for i in range(3) if i != vertical), key=lambda i: extents[i])
+    up_axis, depth_axis = np.eye(3)[vertical], np.eye(3)[depth]
+    right_axis = np.cross(up_axis, depth_axis)
+    turn, tilt = np.radians([turn, tilt])
+    right = np.cos(turn) * right_axis + np.sin(turn) * depth_axis
+    away = np.cos(turn) * depth_axis - np.sin(turn) * right_axis
+    return np.array([right, np.cos(tilt) * up_axis + np.sin(tilt) * away])
 
 
 def draw_view(axes, points, vertices, edges):
-    # matplotlib's 3D plots sort by depth per artist; the skeleton always goes on top of the cloud.
-    axes.computed_zorder = False
-    axes.scatter(*points.T, s=1.5, c="#b9bec4", alpha=0.5, linewidths=0, zorder=1)
+    axes.scatter(*points.T, s=2.2, c=CLOUD_COLOUR, linewidths=0, zorder=1)
     label = components(len(vertices), edges)
     colours = [COMPONENT_COLOURS[label[i] % len(COMPONENT_COLOURS)] for i, _ in edges]
-    axes.add_collection3d(
-        Line3DCollection(vertices[edges], colors=colours, linewidths=2.6, capstyle="round", zorder=2)
+    axes.add_collection(
+        LineCollection(vertices[edges], colors=colours, linewidths=3, capstyle="round", zorder=2)
     )
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
     for chosen, colour in [(degree == 1, END_COLOUR), (degree >= 3, JUNCTION_COLOUR)]:
-        axes.scatter(*vertices[chosen].T, s=26, c=colour, edgecolors="white", linewidths=0.7,
-                     depthshade=False, zorder=3)
+        axes.scatter(*vertices[chosen].T, s=42, c=colour, edgecolors="white", linewidths=0.9,
+                     zorder=3)
 
 
-def draw(vertices, edges, points, filename):
-    axis_order = upright(points)
-    points, vertices = points[:, axis_order], vertices[:, axis_order]
+def draw(vertices, edges, points, up, filename):
     dots = points[:: max(1, len(points) // MAX_DOTS)]
-    low, high = points.min(axis=0), points.max(axis=0)
     figure = plt.figure(figsize=(12, 6), dpi=100)
-    for i, (elevation, azimuth) in enumerate(VIEWS):
-        axes = figure.add_axes([0.5 * i, 0, 0.5, 1], projection="3d", proj_type="ortho")
-        draw_view(axes, dots, vertices, edges)
-        for limit, a, b in zip((axes.set_xlim, axes.set_ylim, axes.set_zlim), low, high):
-            limit(a, b)
-        axes.set_box_aspect(high - low, zoom=1.25)
-        axes.view_init(elevation, azimuth)
+    for i, (turn, tilt) in enumerate(VIEWS):
+        view = view_of(points, up, turn, tilt)
+        axes = figure.add_axes([0.5 * i + 0.02, 0.03, 0.46, 0.94])
+        draw_view(axes, dots @ view.T, vertices @ view.T, edges)
+        axes.set_aspect("equal")
         axes.set_axis_off()
     figure.savefig(filename)
 
 
 def main():
-    if len(sys.argv) != 4:
-        sys.exit(__doc__)
-    vertices, edges = read_skeleton(sys.argv[1])
-    points = np.loadtxt(sys.argv[2], ndmin=2)[:, :3]
-    draw(vertices, edges, points, sys.argv[3])
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("skeleton", help=".ply written by skeletonize_point_set")
+    parser.add_argument("points", help=".xyz")
+    parser.add_argument("picture", help=".png to write")
+    parser.add_argument("--up", choices="xyz", default="z", help="the vertical axis [z]")
+    arguments = parser.parse_args()
+    vertices, edges = read_skeleton(arguments.skeleton)
+    points = np.loadtxt(arguments.points, ndmin=2)[:, :3]
+    draw(vertices, edges, points, arguments.up, arguments.picture)
 
 
 if __name__ == "__main__":
