@@ -11,9 +11,14 @@ archive=usr/share/doc/libcgal-dev/data.tar.gz
 if [ -e "/$archive" ]; then
   archive=/$archive
 else
-  # A slim system leaves out /usr/share/doc when it installs a package, so take the archive out of
-  # the package instead of installing it.
-  apt-get download -q libcgal-demo
+  # Not installed, because a slim system leaves out /usr/share/doc when it installs a package; only
+  # taken apart here. A system that has not been asked for anything yet may lack the package lists.
+  if ! apt-get download -q libcgal-demo; then
+    as_root=
+    [ "$(id -u)" = 0 ] || as_root=sudo
+    $as_root apt-get update -q
+    apt-get download -q libcgal-demo
+  fi
   dpkg-deb -x libcgal-demo_*.deb .
 fi
 # Only a complete folder gets its name.
