@@ -137,7 +137,7 @@ inline std::string check_format(const std::string& filename, std::istream& in)
     fail(filename, "it is a folder");
   if(!in)
     fail(filename, std::filesystem::exists(filename) ? "no permission" : "there is no such file");
-  const std::string extension = extension_of(filename);
+  std::string extension = extension_of(filename);
   const bool is_las = extension == ".las" || extension == ".laz";
   if(extension != ".off" && extension != ".ply" && extension != ".xyz" && !is_las)
     fail(filename, "its extension is not .off, .ply, .xyz or .las");
