@@ -203,7 +203,9 @@ Points_and_faces<Point> read_points_and_faces(const std::string& filename)
   }
   if(!success && text)
     fail(filename, "line " + std::to_string(buffer.line_number()) +
-                       (file.eof() ? " is the last, but more is expected" : " is not understood"));
+                       (format == ".xyz" ? " is neither 'x y z' nor 'x y z nx ny nz'"
+                        : file.eof()     ? " is the last, but more is expected"
+                                         : " is not understood"));
   if(!success)
     fail(filename, "it breaks off or is damaged after " +
                        std::to_string(result.points.size()) + " points");

@@ -81,8 +81,9 @@ Result skeletonize(const std::vector<Point>& points, const Options& options, Pro
   result.projection_seconds = seconds_of([&] { return algorithm.project(); });
   result.linking_seconds = seconds_of([&] { return algorithm.link(); });
   algorithm.extract_skeleton(result.skeleton);
-  if(!algorithm.mixture().levels.empty())
-    result.mixture = algorithm.mixture().levels.front().size();
+  const auto& levels = algorithm.mixture().levels;
+  if(!levels.empty()) // the published method projects onto what is left after merging
+    result.mixture = options.as_published ? levels.back().size() : levels.front().size();
   result.samples = algorithm.samples().size();
   result.iterations = algorithm.number_of_iterations();
   result.stop_reason = CGAL::to_string(algorithm.stop_reason());

@@ -2,6 +2,7 @@
 # Every test runs in a folder of its own, which is removed again.
 set -eu
 program=$1
+here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"

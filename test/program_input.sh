@@ -21,6 +21,9 @@ for file in mesh.off colours.off mesh.ply cloud.ply binary.ply binary_mesh.ply; 
   accepts "$file"
   check "$file has four points" one_line out "points 4,"
 done
+printf '# with normals\n0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 0 0 0 1\n0 1 0 0 0 1' > normals.xyz
+accepts normals.xyz
+check "normals.xyz has four points" one_line out "points 4,"
 for file in mesh.off mesh.ply binary_mesh.ply; do
   accepts "$file" --sample 50
   check "50 points from $file" one_line out "points 50,"
@@ -79,6 +82,7 @@ refuses "'short.xyz': line 2" short.xyz
 
 # Wrong inside.
 printf '0 0 0\n1 2 3\n1 nan 2\n' > nan.xyz
+printf '0 0 0\n1 2 3 4\n' > intensity.xyz
 printf "OFF\n4 0 0\n0 0 0\n1 inf 0\n1 1 0\n0 1 0\n" > infinite.off
 printf "OFF\n# four of them\n4 0 0\n0 0 0\n1 x 0\n1 1 0\n0 1 0\n" > letter.off
 nan='\000\000\300\177'
@@ -90,6 +94,7 @@ printf "end_header\n${vertices}3 0 1 7\n" >> index.ply
 sed 's/float/int/' mesh.ply > integers.ply
 sed 's/ x/ u/' mesh.ply > no_x.ply
 refuses "'nan.xyz': line 3" nan.xyz
+refuses "'intensity.xyz': line 2 is neither" intensity.xyz
 refuses "'infinite.off': line 4" infinite.off
 refuses "'letter.off': line 5" letter.off
 refuses "'nan.ply': point 1 is not finite" nan.ply

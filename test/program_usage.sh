@@ -3,7 +3,10 @@
 . "$(dirname "$0")/program.sh"
 
 accepts --help
-check "help names the options" grep -q -- --as-published out
+for option in $(grep -o -- '--[a-z-]*' out); do
+  [ "$option" = --help ] || [ "$option" = --output ] ||
+    check "the README names $option" grep -q -- "$option" "$here/../README.md"
+done
 
 refuses INPUT
 refuses --nonsense cloud.xyz --nonsense
