@@ -33,8 +33,8 @@ int main(int argc, char** argv)
   const auto size = num_vertices(skeleton);
 
   const auto stop_half_way = [](double progress) { return progress < 0.5; };
-  const bool finished = CGAL::extract_l1_medial_skeleton(
-      points, skeleton, CGAL::parameters::callback(stop_half_way));
+  const bool finished =
+      CGAL::extract_l1_medial_skeleton(points, skeleton, CGAL::parameters::callback(stop_half_way));
   std::cout << (finished ? "finished" : "cancelled, the skeleton is as it was") << '\n';
   return !finished && num_vertices(skeleton) == size ? EXIT_SUCCESS : EXIT_FAILURE;
 }

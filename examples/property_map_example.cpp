@@ -24,8 +24,8 @@ int main(int argc, char** argv)
 {
   std::vector<Labelled_point> labelled;
   CGAL::Point_set_3<Point> point_set;
-  for(const Point& p : read_points<Point>(
-          argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off"))) {
+  for(const Point& p :
+      read_points<Point>(argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off"))) {
     labelled.emplace_back(p, p.z() > 0 ? 1 : 2);
     point_set.insert(p);
   }

@@ -172,8 +172,8 @@ void check_points(const std::string& filename, const Points_and_faces<Point>& re
   for(std::size_t i = 0; i < result.faces.size(); ++i)
     for(const std::size_t v : result.faces[i])
       if(v >= result.points.size())
-        fail(filename, "face " + std::to_string(i) + " names vertex " + std::to_string(v) +
-                           " of " + std::to_string(result.points.size()));
+        fail(filename, "face " + std::to_string(i) + " names vertex " + std::to_string(v) + " of " +
+                           std::to_string(result.points.size()));
 }
 
 } // namespace read_points_internal
@@ -189,7 +189,8 @@ Points_and_faces<Point> read_points_and_faces(const std::string& filename)
   using namespace read_points_internal;
   std::ifstream file(filename, std::ios::binary);
   const std::string format = check_format(filename, file);
-  const bool text = format == ".xyz" || ((format == ".off" || format == ".ply") && !is_binary(file));
+  const bool text =
+      format == ".xyz" || ((format == ".off" || format == ".ply") && !is_binary(file));
 
   Text_buffer buffer(file);
   std::istream lines(&buffer);
@@ -207,8 +208,8 @@ Points_and_faces<Point> read_points_and_faces(const std::string& filename)
                         : file.eof()     ? " is the last, but more is expected"
                                          : " is not understood"));
   if(!success)
-    fail(filename, "it breaks off or is damaged after " +
-                       std::to_string(result.points.size()) + " points");
+    fail(filename,
+         "it breaks off or is damaged after " + std::to_string(result.points.size()) + " points");
   check_points(filename, result);
   return result;
 }

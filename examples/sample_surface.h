@@ -22,8 +22,7 @@ triangles_of(const Points_and_faces<Point>& mesh)
   std::vector<Triangle> triangles;
   for(const std::vector<std::size_t>& face : mesh.faces)
     for(std::size_t i = 2; i < face.size(); ++i) {
-      const Triangle triangle(mesh.points[face[0]], mesh.points[face[i - 1]],
-                              mesh.points[face[i]]);
+      const Triangle triangle(mesh.points[face[0]], mesh.points[face[i - 1]], mesh.points[face[i]]);
       if(triangle.squared_area() > 0)
         triangles.push_back(triangle);
     }

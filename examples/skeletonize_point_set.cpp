@@ -73,9 +73,9 @@ Result skeletonize(const std::vector<Point>& points, const Options& options, Pro
     return interrupted == 0;
   };
   CGAL::L1_medial_skeletonization_3<Kernel, ConcurrencyTag> algorithm(
-      points, CGAL::parameters::as_published(
-                  options.as_published,
-                  CGAL::parameters::callback(progress).random_seed(options.seed)));
+      points,
+      CGAL::parameters::as_published(
+          options.as_published, CGAL::parameters::callback(progress).random_seed(options.seed)));
   Result result;
   result.mixture_seconds = seconds_of([&] { return algorithm.fit_mixture(); });
   result.projection_seconds = seconds_of([&] { return algorithm.project(); });

@@ -38,6 +38,6 @@ int main(int argc, char** argv)
   skeletonization.link();
   Skeletonization::Skeleton skeleton;
   skeletonization.extract_skeleton(skeleton);
-  std::cout << "a skeleton of " << num_vertices(skeleton) << " vertices and "
-            << num_edges(skeleton) << " edges\n";
+  std::cout << "a skeleton of " << num_vertices(skeleton) << " vertices and " << num_edges(skeleton)
+            << " edges\n";
 }

@@ -51,7 +51,8 @@ Skeleton ring_with_tail()
     skeleton[v].point = Point(500000. + i / 3., -i / 7., 1e-300 * i);
     skeleton[v].radius = 0.1 * i;
   }
-  for(const auto& e : std::vector<std::pair<int, int>>{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {3, 4}, {4, 5}})
+  for(const auto& e :
+      std::vector<std::pair<int, int>>{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {3, 4}, {4, 5}})
     add_edge(static_cast<std::size_t>(e.first), static_cast<std::size_t>(e.second), skeleton);
   return skeleton;
 }

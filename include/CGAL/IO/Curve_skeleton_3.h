@@ -90,8 +90,7 @@ void write_ply(std::ostream& os, const Skeleton& skeleton)
     write_point(os, skeleton[v].point);
     os << ' ' << CGAL::to_double(skeleton[v].radius) << '\n';
   }
-  for_each_edge(skeleton,
-                [&os](std::size_t i, std::size_t j) { os << i << ' ' << j << '\n'; });
+  for_each_edge(skeleton, [&os](std::size_t i, std::size_t j) { os << i << ' ' << j << '\n'; });
 }
 
 inline bool ends_with(const std::string& text, const std::string& ending)
