@@ -37,10 +37,10 @@ struct Branch_detection_options
   std::size_t b_min = 5;
 
   /// A branch starts from a pair of components closer than this; in units of the spacing, the
-  /// median distance of a component to its nearest one. The paper's 0.1 % of the bounding box diagonal is
-  /// below the spacing of any mixture of usual size, so that no branch would ever start. Gaps along
-  /// randomly sampled curves are up to 4 spacings wide in 99 of 100 cases, and hardly ever 5; pairs
-  /// further apart are scattered leftovers.
+  /// median distance of a component to its nearest one. The paper's 0.1 % of the bounding box
+  /// diagonal is below the spacing of any mixture of usual size, so that no branch would ever start.
+  /// Gaps along randomly sampled curves are up to 4 spacings wide in 99 of 100 cases, and hardly
+  /// ever 5; pairs further apart are scattered leftovers.
   double d_max = 5;
 
   void check() const
