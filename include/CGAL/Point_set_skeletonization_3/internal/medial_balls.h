@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_BALLS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_BALLS_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
+#include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// Normals that enclose more than this angle (cosine -0.3: 107 degrees) face each other. Balls
+/// between such patches only are stable medial balls: a bump or noise on one side makes none.
+constexpr double facing_normals = -0.3;
+
+/// Below this confidence a normal is a guess, and no ball is built on it.
+constexpr double trusted_orientation = 0.3;
+
+/// Radii of the balls that touch patch `i` from inside and a patch that faces it: of the three
+/// smallest the largest, so that two stray patches cannot make one. 0: nothing faces the patch.
+inline double facing_ball_radius(std::size_t i, const std::vector<Patch>& patches,
+                                 const std::vector<double>& confidence)
+{
+  constexpr double none = std::numeric_limits<double>::infinity();
+  if(confidence[i] < trusted_orientation)
+    return 0;
+  std::array<double, 3> smallest{{none, none, none}};
+  for(std::size_t j = 0; j < patches.size(); ++j) {
+    if(patches[j].normal.dot(patches[i].normal) > facing_normals ||
+       confidence[j] < trusted_orientation)
+      continue;
+    const Vector3 d = patches[j].mean - patches[i].mean;
+    const double depth = -patches[i].normal.dot(d);
+    const double squared = d.squaredNorm();
+    if(!(depth > 0) || squared >= 2 * depth * smallest[2])
+      continue;
+    smallest[2] = squared / (2 * depth);
+    std::sort(smallest.begin(), smallest.end());
+  }
+  return smallest[2] < none ? smallest[2] : 0;
+}
+
+/// One pass of a median filter over the neighbours on the surface that have a value (> 0).
+inline std::vector<double> median_filtered(const std::vector<double>& values,
+                                           const std::vector<Patch>& patches)
+{
+  std::vector<double> result = values;
+  std::vector<double> known;
+  for(std::size_t i = 0; i < patches.size(); ++i) {
+    known.clear();
+    if(values[i] > 0)
+      known.push_back(values[i]);
+    for(std::size_t j : patches[i].neighbors)
+      if(values[j] > 0)
+        known.push_back(values[j]);
+    if(known.empty())
+      continue;
+    const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
+    std::nth_element(known.begin(), middle, known.end());
+    result[i] = *middle;
+  }
+  return result;
+}
+
+/// The radius of the medial ball at every patch: how thick the shape is there. Shrinking balls (Ma
+/// et al. 2012) are at the mercy of every patch nearby; restricted to patches that face each other
+/// the relative error is that of the patches over the thickness. Three passes of a median filter
+/// remove what is left of outliers and give patches without a ball that of their surroundings;
+/// 0 where there is none at all.
+template <typename ConcurrencyTag>
+std::vector<double> medial_ball_radii(const std::vector<Patch>& patches,
+                                      const std::vector<double>& confidence)
+{
+  std::vector<double> radii(patches.size());
+  parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
+    radii[i] = facing_ball_radius(i, patches, confidence);
+  });
+  for(int pass = 0; pass < 3; ++pass)
+    radii = median_filtered(radii, patches);
+  return radii;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_BALLS_H

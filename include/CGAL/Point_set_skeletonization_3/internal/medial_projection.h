@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_PROJECTION_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_PROJECTION_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/Progress.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial_balls.h>
+#include <CGAL/Point_set_skeletonization_3/internal/oriented_mixture.h>
+#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
+#include <CGAL/Point_set_skeletonization_3/internal/samples.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+struct Projection_options
+{
+  /// Bound on the iterations; from its medial ball a sample needs a handful.
+  std::size_t maximum_iterations = 20;
+
+  /// Kernel radius over the radius of the medial ball. The centre of a round tube attracts under
+  /// Eq. 9 for ratios above sqrt(32) = 5.7 only (below, the ring itself does); far above, neighbouring
+  /// limbs and bends count.
+  double kernel_ratio = 8;
+
+  /// A sample that moves less than this share of its kernel radius has arrived.
+  double tolerance = 0.003;
+
+  /// A sample stays at least this share of its medial ball's radius away from all patches: the
+  /// median of a bent shape, of a cupped hand say, may lie outside of it.
+  double least_clearance = 0.75;
+
+  void check() const
+  {
+    CGAL_precondition(kernel_ratio > 0);
+    CGAL_precondition(least_clearance >= 0 && least_clearance < 1);
+    CGAL_precondition(tolerance >= 0);
+  }
+};
+
+/// theta falls to 2 % at half its support radius: what lies beyond does not count.
+constexpr double kernel_reach = 0.5;
+
+/// Components up to a fourteenth of the kernel radius - half the ball's radius - are points to it.
+constexpr double level_ratio = 1.0 / 14;
+
+/// The directions in which a sample may move, as a projector: those in which the normals it sees
+/// vary. Normals of a tube span its cross-section, and a sample must not slide along the axis: that
+/// is what makes the tips of L1-medial skeletons shrink. (The axis as the direction without normals
+/// is the idea of ROSA, Tagliasacchi et al. 2009.) Without trusted normals all directions are free.
+inline Matrix3 cross_section(const Matrix3& normal_tensor)
+{
+  Eigen::SelfAdjointEigenSolver<Matrix3> solver;
+  solver.computeDirect(normal_tensor);
+  const Vector3 variance = solver.eigenvalues();
+  if(!(variance[2] > 0))
+    return Matrix3::Identity();
+  // A cone of 18 degrees half-angle shows a tenth of its normals' weight along its axis: no motion;
+  // from 0.4 on, as at a rounded tip or in a junction, the direction is as good as any.
+  const Vector3 freedom =
+    (((variance / variance[2]).array() - 0.1) / 0.3).cwiseMax(0.0).cwiseMin(1.0);
+  return solver.eigenvectors() * freedom.asDiagonal() * solver.eigenvectors().transpose();
+}
+
+/// The gated attraction of the mixture on a sample, along its cross-section.
+inline Vector3 attracted(const Sample& sample, const Oriented_mixture& mixture,
+                         std::vector<std::size_t>& near)
+{
+  const double h = sample.kernel_radius;
+  const Oriented_mixture::Level& level = mixture.level_for(level_ratio * h);
+  level.search.within(sample.position, kernel_reach * h, near);
+
+  Pull sum;
+  Matrix3 normal_tensor = Matrix3::Zero();
+  for(std::size_t j : near) {
+    const Oriented_attractor& a = level.attractors[j];
+    const double gate = a.seen_from(sample.position);
+    if(!(gate > 0))
+      continue;
+    const Pull pull = a.attractor.pull(sample.position, h);
+    sum.weighted_position += gate * pull.weighted_position;
+    sum.weight += gate * pull.weight;
+    const double distance = (a.attractor.mean() - sample.position).squaredNorm();
+    normal_tensor += gate * a.attractor.weight() * a.confidence * theta(distance, h) * a.normal *
+                     a.normal.transpose();
+  }
+  if(!(sum.weight > 0))
+    return sample.position;
+  const Vector3 step = sum.weighted_position / sum.weight - sample.position;
+  return sample.position + cross_section(normal_tensor) * step;
+}
+
+/// Distance from `q` to the nearest component it sees from inside; 0 if it sees none.
+inline double visible_distance(const Vector3& q, const Oriented_mixture::Level& level)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for(const Oriented_attractor& a : level.attractors) {
+    const double squared = (a.attractor.mean() - q).squaredNorm();
+    if(squared < nearest && a.seen_from(q) > 0.5)
+      nearest = squared;
+  }
+  return nearest < std::numeric_limits<double>::infinity() ? std::sqrt(nearest) : 0;
+}
+
+/// Samples at the patch means, moved into their medial ball where there is one.
+inline std::vector<Sample> medial_samples(const std::vector<Patch>& patches,
+                                          const std::vector<double>& confidence,
+                                          const std::vector<double>& ball_radii,
+                                          const Projection_options& options)
+{
+  std::vector<Sample> samples(patches.size());
+  for(std::size_t i = 0; i < patches.size(); ++i) {
+    Sample& s = samples[i];
+    s.origin = s.position = patches[i].mean;
+    if(ball_radii[i] > 0 && confidence[i] >= trusted_orientation) {
+      s.position -= ball_radii[i] * patches[i].normal;
+      s.radius = ball_radii[i];
+    }
+    s.kernel_radius = options.kernel_ratio * std::max(ball_radii[i], patches[i].spacing / 2);
+  }
+  return samples;
+}
+
+/// Moves the samples to the local L1-medians of the mixture. Every iteration reads the positions of
+/// the one before only, so the bits do not depend on the number of threads.
+template <typename ConcurrencyTag>
+Projection_outcome project_samples(std::vector<Sample>& samples, const Oriented_mixture& mixture,
+                                   const Projection_options& options, const Progress& progress)
+{
+  options.check();
+  Projection_outcome outcome;
+  outcome.reason = samples.empty() ? Projection_stop_reason::empty
+                                   : Projection_stop_reason::iteration_limit;
+  while(outcome.iterations < options.maximum_iterations && !samples.empty()) {
+    parallel_for<ConcurrencyTag>(samples.size(), [&](std::size_t i) {
+      Sample& s = samples[i]; // reads and writes no other sample: Jacobi and in place at once
+      if(s.frozen)
+        return;
+      std::vector<std::size_t> near;
+      const Vector3 moved = attracted(s, mixture, near);
+      const double clearance = std::sqrt(mixture.finest().search.nearest(moved).squared_distance);
+      s.frozen = (moved - s.position).norm() < options.tolerance * s.kernel_radius ||
+                 clearance < options.least_clearance * s.radius;
+      if(clearance >= options.least_clearance * s.radius)
+        s.position = moved;
+    });
+    ++outcome.iterations;
+    if(!progress(static_cast<double>(outcome.iterations) /
+                 static_cast<double>(options.maximum_iterations))) {
+      outcome.reason = Projection_stop_reason::cancelled;
+      return outcome;
+    }
+    if(std::all_of(samples.begin(), samples.end(), [](const Sample& s) { return s.frozen; })) {
+      outcome.reason = Projection_stop_reason::converged;
+      break;
+    }
+  }
+  parallel_for<ConcurrencyTag>(samples.size(), [&](std::size_t i) {
+    samples[i].radius = visible_distance(samples[i].position, mixture.finest());
+  });
+  return outcome;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_PROJECTION_H

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_ORIENTED_MIXTURE_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_ORIENTED_MIXTURE_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/attraction.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// A mixture component with an outward normal, as far as the normal can be trusted.
+struct Oriented_gaussian
+{
+  Gaussian gaussian;
+  Vector3 normal = Vector3::Zero(); ///< Unit length, or zero.
+  double confidence = 0;            ///< In [0, 1]; 0: the normal says nothing.
+};
+
+/// Merges the components that share a cell of a cubic grid; moments merge exactly, and normals that
+/// cancel leave no confidence.
+inline std::vector<Oriented_gaussian> merged(const std::vector<Oriented_gaussian>& fine,
+                                             double cell_size)
+{
+  std::vector<std::pair<std::array<double, 3>, std::size_t>> order;
+  order.reserve(fine.size());
+  for(std::size_t i = 0; i < fine.size(); ++i) {
+    const Vector3 cell = (fine[i].gaussian.mean / cell_size).array().floor();
+    order.push_back({{{cell.x(), cell.y(), cell.z()}}, i});
+  }
+  std::sort(order.begin(), order.end());
+
+  std::vector<Oriented_gaussian> result;
+  for(std::size_t begin = 0, end; begin < order.size(); begin = end) {
+    Moments moments(fine[order[begin].second].gaussian.mean);
+    Vector3 normal = Vector3::Zero();
+    for(end = begin; end < order.size() && order[end].first == order[begin].first; ++end) {
+      const Oriented_gaussian& g = fine[order[end].second];
+      moments.add(g.gaussian);
+      normal += g.gaussian.weight * g.confidence * g.normal;
+    }
+    const double length = normal.norm();
+    result.push_back({moments.gaussian(), length > 0 ? Vector3(normal / length) : normal,
+                      length / moments.weight()});
+  }
+  return result;
+}
+
+/// A mixture component as the projection uses it.
+struct Oriented_attractor
+{
+  explicit Oriented_attractor(const Oriented_gaussian& g)
+    : attractor(g.gaussian), normal(g.normal), confidence(g.confidence)
+  {}
+
+  Attractor attractor;
+  Vector3 normal;
+  double confidence;
+
+  /// Whether a sample at `q` sees the component from inside, in [0, 1]: the orientation gate. It
+  /// closes between 6 and 17 degrees behind the component's tangent plane - the plane of a curved
+  /// patch is only so exact -, and only as far as the normal can be trusted.
+  double seen_from(const Vector3& q) const
+  {
+    const Vector3 d = attractor.mean() - q;
+    const double length = d.norm();
+    if(!(length > 0))
+      return 1;
+    const double cosine = normal.dot(d) / length;
+    const double hidden = std::min(1.0, std::max(0.0, (-0.1 - cosine) / 0.2));
+    return 1 - confidence * hidden;
+  }
+};
+
+/// An oriented mixture at every scale: a kernel of a given radius reads the level that fits it, so
+/// that a sample in a thick body costs as little as one in a thin limb.
+class Oriented_mixture
+{
+public:
+  struct Level
+  {
+    Level(const std::vector<Oriented_gaussian>& components, double cell_size)
+      : attractors(components.begin(), components.end()), cell_size(cell_size),
+        search(components.size(), [&](std::size_t i) { return components[i].gaussian.mean; })
+    {}
+
+    std::vector<Oriented_attractor> attractors;
+    double cell_size;
+    Neighbor_search search;
+  };
+
+  /// `finest` with components `spacing` apart. Every level is twice as coarse as the one before,
+  /// down to a handful of components.
+  Oriented_mixture(std::vector<Oriented_gaussian> finest, double spacing)
+  {
+    levels_.push_back(std::make_unique<Level>(finest, spacing));
+    while(finest.size() > 16 && spacing < 1) {
+      spacing *= 2;
+      finest = merged(finest, spacing);
+      levels_.push_back(std::make_unique<Level>(finest, spacing));
+    }
+  }
+
+  const Level& finest() const { return *levels_.front(); }
+
+  /// The coarsest level whose components are not larger than `size`.
+  const Level& level_for(double size) const
+  {
+    std::size_t k = 0;
+    while(k + 1 < levels_.size() && levels_[k + 1]->cell_size <= size)
+      ++k;
+    return *levels_[k];
+  }
+
+private:
+  std::vector<std::unique_ptr<Level>> levels_;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_ORIENTED_MIXTURE_H

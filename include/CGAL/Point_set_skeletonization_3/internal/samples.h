@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SAMPLES_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SAMPLES_H
+
+#include <CGAL/Medial_sample_3.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// A medial sample in normalised coordinates; see `Medial_sample_3`.
+struct Sample
+{
+  Vector3 origin = Vector3::Zero();
+  Vector3 position = Vector3::Zero();
+  double kernel_radius = 0;
+  double radius = 0;
+  bool frozen = false;
+};
+
+/// How a projection ended.
+struct Projection_outcome
+{
+  std::size_t iterations = 0;
+  Projection_stop_reason reason = Projection_stop_reason::empty;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SAMPLES_H
