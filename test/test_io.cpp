@@ -96,7 +96,7 @@ std::string message_of_writing(const std::string& filename)
   try {
     CGAL::IO::write_curve_skeleton(filename, ring_with_tail());
   } catch(const std::runtime_error& error) {
-    const std::string message = error.what();
+    std::string message = error.what();
     CHECK(message.find(filename) != std::string::npos);
     CHECK(message.find('\n') == std::string::npos);
     return message;
@@ -196,7 +196,7 @@ TEST_CASE("an unknown ending is an error that says what to do")
 TEST_CASE("a folder that is not there is an error")
 {
   const Folder folder;
-  CHECK(message_of_writing(folder / "none/s.ply") != "");
+  CHECK(!message_of_writing(folder / "none/s.ply").empty());
   CHECK(files_in(folder) == 0);
 }
 
@@ -204,7 +204,7 @@ TEST_CASE("a file that cannot be put in its place leaves nothing behind")
 {
   const Folder folder;
   fs::create_directory(folder / "s.ply");
-  CHECK(message_of_writing(folder / "s.ply") != "");
+  CHECK(!message_of_writing(folder / "s.ply").empty());
   CHECK(files_in(folder) == 1);
 }
 
