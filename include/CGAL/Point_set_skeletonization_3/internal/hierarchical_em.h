@@ -37,7 +37,7 @@ struct Hierarchical_em_options
   /// Levels above the finest. A fixed number, as in Preiner et al.: there is no natural end, since
   /// a level stalls no sooner than its patches no longer fit each other anywhere. A third
   /// survives a level where everything merges, more on surfaces: after three levels between 1/8
-  /// and 1/11 of the points, where the paper's mixtures have 1/6 to 1/15, mostly 1/9.
+  /// and 1/13 of the points, where the paper's mixtures have 1/6 to 1/15, mostly 1/9.
   std::size_t number_of_levels = 3;
 
   unsigned int random_seed = 0;
