@@ -20,9 +20,15 @@ namespace parameters {
 /// CGAL's own parameters chain as members; a package outside CGAL cannot add one to that chain, so
 /// the parameters of this package take the rest of the chain as an optional second argument:
 /// `as_published(true)`, `as_published(true, CGAL::parameters::point_map(map))`.
-template <typename Rest = internal_np::No_property>
-Named_function_parameters<bool, internal_np::as_published_t, Rest>
-as_published(bool value, const Rest& rest = Rest())
+inline Named_function_parameters<bool, internal_np::as_published_t> as_published(bool value)
+{
+  return {value};
+}
+
+template <typename T, typename Tag, typename Base>
+Named_function_parameters<bool, internal_np::as_published_t,
+                          Named_function_parameters<T, Tag, Base>>
+as_published(bool value, const Named_function_parameters<T, Tag, Base>& rest)
 {
   return {value, rest};
 }

@@ -58,12 +58,20 @@ public:
 
   explicit Moment_grid(std::size_t maximum_cells) : maximum_cells_(maximum_cells) {}
 
-  /// Edge length of a cell, in units of the bounding box diagonal.
+  /// Edge length of a cell, a power of two, in units of the bounding box diagonal.
   double cell_size() const { return std::ldexp(1.0, -level_); }
+
+  static Cell cell_of(const Vector3& p, double cell_size)
+  {
+    Cell cell;
+    for(int k = 0; k < 3; ++k)
+      cell[static_cast<std::size_t>(k)] = static_cast<std::int32_t>(std::floor(p[k] / cell_size));
+    return cell;
+  }
 
   void add(const Vector3& p)
   {
-    const Cell cell = cell_of(p);
+    const Cell cell = cell_of(p, cell_size());
     entry(cell).add(1, p);
     while(cells_.size() > maximum_cells_)
       coarsen();
@@ -104,15 +112,6 @@ private:
       return static_cast<std::size_t>(h ^ (h >> 29));
     }
   };
-
-  Cell cell_of(const Vector3& p) const
-  {
-    Cell cell;
-    for(int k = 0; k < 3; ++k)
-      cell[static_cast<std::size_t>(k)] =
-        static_cast<std::int32_t>(std::floor(std::ldexp(p[k], level_)));
-    return cell;
-  }
 
   Moments& entry(const Cell& cell)
   {
@@ -165,31 +164,51 @@ Moment_grid fine_grid(const std::vector<Vector3>& points, std::size_t maximum_ce
 /// A level of a grid mixture: what the cells hold and how large they are.
 struct Grid_level
 {
+  using Cell = Moment_grid::Cell;
+
   Gaussians gaussians;
-  double cell_size = 0;
+  std::vector<Cell> cells; ///< Of every Gaussian; ascending.
+  double fine_cell_size = 0;
+  std::int32_t factor = 1; ///< Cells are that many times wider than the fine ones.
+
+  /// Edge length of a cell, in units of the bounding box diagonal.
+  double cell_size() const { return fine_cell_size * factor; }
+
+  /// The cell of this level that holds a fine one: rounds towards minus infinity.
+  static Cell merged(Cell fine, std::int32_t factor)
+  {
+    for(std::int32_t& c : fine)
+      c = c >= 0 ? c / factor : -((-c + factor - 1) / factor);
+    return fine;
+  }
+
+  /// Index of the Gaussian that holds the moments of `p`. \pre `p` is one of the points
+  std::size_t cell_index(const Vector3& p) const
+  {
+    const Cell cell = merged(Moment_grid::cell_of(p, fine_cell_size), factor);
+    return static_cast<std::size_t>(std::lower_bound(cells.begin(), cells.end(), cell) -
+                                    cells.begin());
+  }
 };
 
 /// The cells of `fine` merged into cells `factor` times as wide; merging moments is exact.
 inline Grid_level merged_cells(const std::vector<std::pair<Moment_grid::Cell, Gaussian>>& fine,
                                double fine_cell_size, std::int32_t factor)
 {
-  using Cell = Moment_grid::Cell;
-  std::vector<std::pair<Cell, std::size_t>> order;
+  std::vector<std::pair<Moment_grid::Cell, std::size_t>> order;
   order.reserve(fine.size());
-  for(std::size_t i = 0; i < fine.size(); ++i) {
-    Cell cell = fine[i].first;
-    for(std::int32_t& c : cell)
-      c = c >= 0 ? c / factor : -((-c + factor - 1) / factor);
-    order.emplace_back(cell, i);
-  }
+  for(std::size_t i = 0; i < fine.size(); ++i)
+    order.emplace_back(Grid_level::merged(fine[i].first, factor), i);
   std::sort(order.begin(), order.end());
 
   Grid_level level;
-  level.cell_size = fine_cell_size * factor;
+  level.fine_cell_size = fine_cell_size;
+  level.factor = factor;
   for(std::size_t begin = 0, end; begin < order.size(); begin = end) {
     Moments moments(fine[order[begin].second].second.mean);
     for(end = begin; end < order.size() && order[end].first == order[begin].first; ++end)
       moments.add(fine[order[end].second].second);
+    level.cells.push_back(order[begin].first);
     level.gaussians.push_back(moments.gaussian());
   }
   return level;

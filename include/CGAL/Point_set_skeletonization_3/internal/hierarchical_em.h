@@ -58,17 +58,23 @@ inline std::uint64_t mixed(std::uint64_t h)
   return h ^ (h >> 31);
 }
 
+/// Random bits for a position. It is rounded to 2^-20 of the diagonal, finer than components are
+/// apart, so that an input that was translated or scaled draws the same although its last digits
+/// differ.
+inline std::uint64_t position_hash(const Vector3& position, std::uint64_t seed)
+{
+  std::uint64_t h = mixed(seed);
+  for(double x : {position.x(), position.y(), position.z()})
+    h = mixed(h ^ static_cast<std::uint64_t>(std::llround(std::ldexp(x, 20))));
+  return h;
+}
+
 /// Whether the component at `mean` becomes a parent: a coin thrown by where the component is, so
-/// that neither the order of the components nor the number of threads matters. Positions are
-/// rounded to 2^-20 of the diagonal, finer than components are apart, so that an input that was
-/// translated or scaled has the same parents although its last digits differ.
+/// that neither the order of the components nor the number of threads matters.
 inline bool is_parent(const Vector3& mean, const Hierarchical_em_options& options,
                       std::size_t level)
 {
-  std::uint64_t h = mixed(options.random_seed);
-  h = mixed(h ^ level);
-  for(double x : {mean.x(), mean.y(), mean.z()})
-    h = mixed(h ^ static_cast<std::uint64_t>(std::llround(std::ldexp(x, 20))));
+  const std::uint64_t h = position_hash(mean, options.random_seed + level * 0x9E3779B97F4A7C15u);
   return std::ldexp(static_cast<double>(h >> 11), -53) < options.parent_probability;
 }
 

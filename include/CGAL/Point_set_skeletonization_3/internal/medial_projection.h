@@ -9,6 +9,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/oriented_mixture.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/samples.h>
+#include <CGAL/Point_set_skeletonization_3/internal/winding_number.h>
 
 #include <CGAL/assertions.h>
 
@@ -37,9 +38,9 @@ struct Projection_options
   /// A sample that moves less than this share of its kernel radius has arrived.
   double tolerance = 0.003;
 
-  /// A sample stays at least this share of its medial ball's radius away from all patches: the
-  /// median of a bent shape, of a cupped hand say, may lie outside of it.
-  double least_clearance = 0.75;
+  /// A sample stops where its distance to the nearest patch would fall below this share of the
+  /// largest it had: the median of a bent shape, of a cupped hand say, may lie outside of it.
+  double least_clearance = 0.5;
 
   void check() const
   {
@@ -113,7 +114,7 @@ inline double visible_distance(const Vector3& q, const Oriented_mixture::Level& 
   return nearest < std::numeric_limits<double>::infinity() ? std::sqrt(nearest) : 0;
 }
 
-/// Samples at the patch means, moved into their medial ball where there is one.
+/// Samples at the patch means, moved to the centre of their medial ball where there is one.
 inline std::vector<Sample> medial_samples(const std::vector<Patch>& patches,
                                           const std::vector<double>& confidence,
                                           const std::vector<double>& ball_radii,
@@ -123,13 +124,33 @@ inline std::vector<Sample> medial_samples(const std::vector<Patch>& patches,
   for(std::size_t i = 0; i < patches.size(); ++i) {
     Sample& s = samples[i];
     s.origin = s.position = patches[i].mean;
-    if(ball_radii[i] > 0 && confidence[i] >= trusted_orientation) {
-      s.position -= ball_radii[i] * patches[i].normal;
-      s.radius = ball_radii[i];
-    }
     s.kernel_radius = options.kernel_ratio * std::max(ball_radii[i], patches[i].spacing / 2);
+    const Vector3 center = patches[i].mean - ball_radii[i] * patches[i].normal;
+    if(confidence[i] < trusted_orientation || winding_number(patches, center) < 0.5)
+      continue; // the normal points the wrong way: let the projection find the way in
+    s.position = center;
   }
   return samples;
+}
+
+/// Puts samples that ended outside of the shape where the sample of the nearest patch beside them
+/// on the surface is: their normal was wrong and took them to where nothing pulls.
+inline void bring_back_lost_samples(std::vector<Sample>& samples, const std::vector<Patch>& patches)
+{
+  std::vector<char> lost(samples.size(), 0);
+  for(std::size_t i = 0; i < samples.size(); ++i)
+    lost[i] = winding_number(patches, samples[i].position) < 0.25;
+  for(std::size_t i = 0; i < samples.size(); ++i) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for(std::size_t j : patches[i].neighbors) {
+      const double squared = (patches[j].mean - patches[i].mean).squaredNorm();
+      if(lost[i] && !lost[j] && squared < nearest) {
+        nearest = squared;
+        samples[i].position = samples[j].position;
+        samples[i].radius = samples[j].radius;
+      }
+    }
+  }
 }
 
 /// Moves the samples to the local L1-medians of the mixture. Every iteration reads the positions of
@@ -152,8 +173,10 @@ Projection_outcome project_samples(std::vector<Sample>& samples, const Oriented_
       const double clearance = std::sqrt(mixture.finest().search.nearest(moved).squared_distance);
       s.frozen = (moved - s.position).norm() < options.tolerance * s.kernel_radius ||
                  clearance < options.least_clearance * s.radius;
-      if(clearance >= options.least_clearance * s.radius)
+      if(clearance >= options.least_clearance * s.radius) {
         s.position = moved;
+        s.radius = std::max(s.radius, clearance);
+      }
     });
     ++outcome.iterations;
     if(!progress(static_cast<double>(outcome.iterations) /

@@ -89,8 +89,8 @@ class Oriented_mixture
 public:
   struct Level
   {
-    Level(const std::vector<Oriented_gaussian>& components, double cell_size)
-      : attractors(components.begin(), components.end()), cell_size(cell_size),
+    Level(const std::vector<Oriented_gaussian>& components, double size)
+      : attractors(components.begin(), components.end()), cell_size(size),
         search(components.size(), [&](std::size_t i) { return components[i].gaussian.mean; })
     {}
 

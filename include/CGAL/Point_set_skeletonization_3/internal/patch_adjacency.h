@@ -26,6 +26,9 @@ struct Patch
   Vector3 mean = Vector3::Zero();
   double weight = 0;
 
+  /// Area of the surface that it stands for.
+  double area = 0;
+
   /// Unit normal; its sign means something only after `orient_patches()`.
   Vector3 normal = Vector3::UnitZ();
 
@@ -92,9 +95,11 @@ std::vector<Patch> surface_patches(const Gaussians& gaussians)
     patch.weight = gaussians[i].weight;
     search.nearest(patch.mean, patch_neighbors + 1, nearest[i]);
     const std::size_t middle = nearest[i].size() / 2;
-    patch.spacing = std::sqrt(nearest[i][middle].squared_distance);
-    if(patch.spacing > 0)
-      estimate_normal(patch, gaussians, nearest[i]);
+    // A patch without another is as large as the whole.
+    patch.spacing = nearest[i].size() > 1 ? std::sqrt(nearest[i][middle].squared_distance) : 1;
+    // Half of its neighbours share a disc of this radius with it.
+    patch.area = 3.14159265 * patch.spacing * patch.spacing / static_cast<double>(middle + 1);
+    estimate_normal(patch, gaussians, nearest[i]);
   });
 
   std::vector<std::pair<std::size_t, std::size_t>> edges;
@@ -113,6 +118,17 @@ std::vector<Patch> surface_patches(const Gaussians& gaussians)
   for(const auto& e : edges)
     patches[e.first].neighbors.push_back(e.second);
   return patches;
+}
+
+/// The distance at which patches lie, over all of them. \pre there is a patch
+inline double median_spacing(const std::vector<Patch>& patches)
+{
+  std::vector<double> spacings;
+  for(const Patch& patch : patches)
+    spacings.push_back(patch.spacing);
+  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
+  std::nth_element(spacings.begin(), middle, spacings.end());
+  return *middle;
 }
 
 } // namespace internal

@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/skeleton_branches.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -15,8 +16,8 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// A branch that ends within this many radii of the junction it hangs on, its own thickness
-/// included, is a bump of the junction's surroundings and not a limb.
+/// A limb's end reaches out of every other ball of the skeleton by this factor; less is a bump of
+/// the surface, or what is left of a thick body's medial sheet.
 constexpr double prominence = 1.25;
 
 /// The graph without the vertices marked `removed` and their edges; the order of the rest is kept.
@@ -35,20 +36,27 @@ inline Skeleton_graph without(const Skeleton_graph& graph, const std::vector<boo
   return result;
 }
 
-/// How far a branch that ends reaches out of its junction, in radii of the junction; infinite for
-/// branches between two junctions or two ends.
+/// How far a branch that hangs on a junction reaches out of the balls of all other vertices, in
+/// radii of the ball that holds it best; infinite for branches between two junctions or two ends.
 inline double branch_prominence(const Branch& branch, const Skeleton_graph& graph,
                                 const std::vector<std::vector<std::size_t>>& adjacency)
 {
+  constexpr double none = std::numeric_limits<double>::infinity();
   const std::size_t a = branch.front(), b = branch.back();
-  const std::size_t degree_a = adjacency[a].size(), degree_b = adjacency[b].size();
-  const bool ends_at_a = degree_a == 1 && degree_b > 2, ends_at_b = degree_b == 1 && degree_a > 2;
+  const bool ends_at_a = adjacency[a].size() == 1 && adjacency[b].size() > 2;
+  const bool ends_at_b = adjacency[b].size() == 1 && adjacency[a].size() > 2;
   if(!ends_at_a && !ends_at_b)
-    return std::numeric_limits<double>::infinity();
-  const std::size_t end = ends_at_a ? a : b, junction = ends_at_a ? b : a;
-  const double radius = graph.vertices[junction].radius;
-  const double reach = length(branch, graph) + graph.vertices[end].radius;
-  return radius > 0 ? reach / radius : std::numeric_limits<double>::infinity();
+    return none;
+  const Skeleton_graph::Vertex& end = graph.vertices[ends_at_a ? a : b];
+  std::vector<bool> in_branch(graph.vertices.size(), false);
+  for(std::size_t v : branch)
+    in_branch[v] = adjacency[v].size() < 3;
+  double least = none;
+  for(std::size_t v = 0; v < graph.vertices.size(); ++v)
+    if(!in_branch[v] && graph.vertices[v].radius > 0)
+      least = std::min(least, ((end.position - graph.vertices[v].position).norm() + end.radius) /
+                                graph.vertices[v].radius);
+  return least;
 }
 
 /// Removes spurs, the least prominent first, until every end reaches out of its junction: removing

@@ -26,6 +26,9 @@ public:
       search_(patches.size(), [&](std::size_t i) { return patches[i].mean; })
   {}
 
+  /// Distance between patches.
+  double spacing() const { return spacing_; }
+
   /// Whether `q` is certainly outside: in front of the nearest patches' planes by more than they
   /// are rough. Where the orientation is a guess the answer is no.
   bool in_air(const Vector3& q) const
@@ -41,6 +44,25 @@ public:
       trust += confidence_[i];
     }
     return trust > 0.5 * static_cast<double>(nearest.size()) && height > roughness * spacing_ * trust;
+  }
+
+  /// How much the surface around the middle of a segment lies across it, in [0, 1]: the mean squared
+  /// cosine between the segment and the normals of the nearest patches. 0 inside a tube that goes
+  /// the segment's way, 1 between two sheets that touch.
+  double blocked(const Vector3& a, const Vector3& b) const
+  {
+    constexpr std::size_t witnesses = 8; // a ring of patches, or a few on either of two sheets
+    const Vector3 direction = (b - a).normalized();
+    std::vector<Neighbor_search::Neighbor> nearest;
+    search_.nearest((a + b) / 2, witnesses, nearest);
+    double across = 0, flat = 0;
+    for(const auto& neighbor : nearest) {
+      const Patch& patch = patches_[neighbor.index];
+      const double cosine = patch.normal.dot(direction);
+      across += patch.planarity * cosine * cosine;
+      flat += patch.planarity;
+    }
+    return flat > 0 ? across / flat : 0;
   }
 
   /// Whether a segment goes through a sheet of the surface: it crosses the disc of a flat patch.

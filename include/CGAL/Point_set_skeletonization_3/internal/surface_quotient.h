@@ -193,6 +193,10 @@ inline std::vector<std::size_t> forest_path(std::size_t from, std::size_t to,
   return path;
 }
 
+/// A loop with an edge that is blocked more than this closes through a contact of two limbs. A tube
+/// blocks its axis hardly, a bend or a junction on the way to a third.
+constexpr double contact = 0.4;
+
 /// Whether a closed curve goes around air. Every surface that spans the loop of a solid leaves the
 /// solid; so if only one - here the fan from the centre of gravity - stays in it, the loop can be
 /// contracted and is none.
@@ -200,8 +204,22 @@ inline bool spans_air(const std::vector<std::size_t>& loop, const Skeleton_graph
                       const Solid_side& side)
 {
   Vector3 center = Vector3::Zero();
-  for(std::size_t v : loop)
-    center += graph.vertices[v].position / static_cast<double>(loop.size());
+  double radius = 0, length = 0;
+  for(std::size_t k = 0; k < loop.size(); ++k) {
+    const Skeleton_graph::Vertex& v = graph.vertices[loop[k]];
+    center += v.position / static_cast<double>(loop.size());
+    radius += v.radius / static_cast<double>(loop.size());
+    length += (v.position - graph.vertices[loop[(k + 1) % loop.size()]].position).norm();
+  }
+  // A tube of that radius around a hole as wide as the patches lie apart has a longer axis.
+  if(length < 6.2831853 * (radius + side.spacing() / 2))
+    return false;
+  for(std::size_t k = 0; k < loop.size(); ++k) {
+    const Vector3& a = graph.vertices[loop[k]].position;
+    const Vector3& b = graph.vertices[loop[(k + 1) % loop.size()]].position;
+    if((a - b).norm() > side.spacing() / 2 && side.blocked(a, b) > contact)
+      return false;
+  }
   for(std::size_t k = 0; k < loop.size(); ++k) {
     const Vector3& a = graph.vertices[loop[k]].position;
     const Vector3& b = graph.vertices[loop[(k + 1) % loop.size()]].position;

@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_L1_MEDIAL_SKELETONIZATION_3_H
+#define CGAL_L1_MEDIAL_SKELETONIZATION_3_H
+
+#include <CGAL/Curve_skeleton_3.h>
+#include <CGAL/Gaussian_mixture_3.h>
+#include <CGAL/Medial_sample_3.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Published_stages.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Surface_quotient_stages.h>
+#include <CGAL/Point_set_skeletonization_3/internal/named_parameters.h>
+#include <CGAL/Point_set_skeletonization_3/internal/public_data.h>
+#include <CGAL/Point_set_skeletonization_3/parameters.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+
+/// The curve skeleton of a point set, step by step.
+///
+/// Owns a copy of the points (in normalised coordinates) and every intermediate result, so that each
+/// can be read. `run()` does all steps; or call `fit_mixture()`, `project()` and `link()` in this
+/// order and look at what they leave.
+///
+/// The default reads the points as the patches of a surface, orients them, moves every patch into
+/// its medial ball and on to the local L1-median of what it sees from inside, and contracts the
+/// patches' adjacency along that motion: loops survive. With `as_published(true)` it is the method
+/// of Lengauer, Houska and Preiner, whose result is always a tree.
+///
+/// \tparam Traits a model of `L1MedialSkeletonizationTraits_3`: any CGAL kernel with inexact
+///         constructions over `float` or `double`
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (needs TBB) or `Parallel_if_available_tag`;
+///         the result does not depend on it, bit for bit
+template <typename Traits, typename ConcurrencyTag = Sequential_tag>
+class L1_medial_skeletonization_3
+{
+  using Normalization = Point_set_skeletonization_3::internal::Normalization;
+  using Stages = Point_set_skeletonization_3::internal::Skeletonization_stages;
+
+public:
+  using FT = typename Traits::FT;
+  using Point_3 = typename Traits::Point_3;
+  using Mixture = Gaussian_mixture_3<Traits>;
+  using Sample = Medial_sample_3<Traits>;
+  using Skeleton = Curve_skeleton_3<Traits>;
+
+  /// Reads the points; see `extract_l1_medial_skeleton()` for the named parameters.
+  /// \throws std::invalid_argument if a coordinate is not finite; the message names the point
+  template <typename PointRange, typename NamedParameters = parameters::Default_named_parameters>
+  explicit L1_medial_skeletonization_3(const PointRange& points,
+                                       const NamedParameters& np = parameters::default_values())
+    : progress_(Point_set_skeletonization_3::internal::progress_of(np))
+  {
+    namespace internal = Point_set_skeletonization_3::internal;
+    points_ = internal::coordinates_of(points, np);
+    normalization_ = internal::normalization_of(points_);
+    for(auto& p : points_)
+      p = normalization_.to_unit(p);
+    stages_ = internal::make_stages<ConcurrencyTag>(np);
+  }
+
+  /// Step 1: points to a Gaussian mixture. \returns `false` if the callback cancelled
+  bool fit_mixture()
+  {
+    if(!progress_(0) || !stages_->fit(points_, progress_.part(0, 0.2)))
+      return false;
+    steps_done_ = 1;
+    return true;
+  }
+
+  /// Step 2: samples to local L1-medians. \returns `false` if the callback cancelled
+  /// \pre `fit_mixture()` returned `true`
+  bool project()
+  {
+    CGAL_precondition(steps_done_ >= 1);
+    if(!stages_->project(progress_.part(0.2, 0.9)))
+      return false;
+    steps_done_ = 2;
+    return true;
+  }
+
+  /// Step 3: samples to a graph. \returns `false` if the callback cancelled
+  /// \pre `project()` returned `true`
+  bool link()
+  {
+    CGAL_precondition(steps_done_ >= 2);
+    if(!stages_->link(progress_.part(0.9, 1)))
+      return false;
+    steps_done_ = 3;
+    return true;
+  }
+
+  /// All steps. \returns `false` if the callback cancelled
+  bool run() { return fit_mixture() && project() && link(); }
+
+  /// The mixture of step 1, in the coordinates of the input, finest level first.
+  Mixture mixture() const
+  {
+    return Point_set_skeletonization_3::internal::public_mixture<Traits>(stages_->mixture,
+                                                                         normalization_);
+  }
+
+  /// The samples of step 2, in the coordinates of the input.
+  std::vector<Sample> samples() const
+  {
+    return Point_set_skeletonization_3::internal::public_samples<Traits>(stages_->samples,
+                                                                         normalization_);
+  }
+
+  /// Number of components of the mixture that the projection reads.
+  std::size_t number_of_components() const
+  {
+    return stages_->mixture.empty() ? 0 : stages_->components().size();
+  }
+
+  /// Number of samples.
+  std::size_t number_of_samples() const { return stages_->samples.size(); }
+
+  /// Iterations that the projection took.
+  std::size_t number_of_iterations() const { return stages_->outcome.iterations; }
+
+  /// Why the projection stopped.
+  Projection_stop_reason stop_reason() const { return stages_->outcome.reason; }
+
+  /// Number of input points that belong to no vertex: clusters too small to be part of the shape.
+  std::size_t number_of_outliers() const
+  {
+    std::size_t count = 0;
+    for(std::size_t v : stages_->vertex_of_point)
+      count += v == Stages::none;
+    return count;
+  }
+
+  /// Replaces `skeleton` by the result of step 3.
+  /// \tparam SkeletonGraph `Skeleton`, or a BGL adjacency list whose vertex bundle has `.point`,
+  ///         `.radius` and `.indices`
+  /// \pre `link()` returned `true`
+  template <typename SkeletonGraph>
+  void extract_skeleton(SkeletonGraph& skeleton) const
+  {
+    CGAL_precondition(steps_done_ == 3);
+    skeleton = Point_set_skeletonization_3::internal::public_skeleton<Traits, SkeletonGraph>(
+      stages_->graph, stages_->vertex_of_point, normalization_);
+  }
+
+private:
+  std::vector<Point_set_skeletonization_3::internal::Vector3> points_;
+  Normalization normalization_;
+  Point_set_skeletonization_3::internal::Progress progress_;
+  std::unique_ptr<Stages> stages_;
+  int steps_done_ = 0;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_L1_MEDIAL_SKELETONIZATION_3_H

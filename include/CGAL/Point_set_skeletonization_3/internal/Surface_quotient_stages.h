@@ -1,0 +1,177 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_QUOTIENT_STAGES_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_QUOTIENT_STAGES_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/Skeletonization_stages.h>
+#include <CGAL/Point_set_skeletonization_3/internal/grid_moments.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial_projection.h>
+#include <CGAL/Point_set_skeletonization_3/internal/patch_orientation.h>
+#include <CGAL/Point_set_skeletonization_3/internal/skeleton_pruning.h>
+#include <CGAL/Point_set_skeletonization_3/internal/skeleton_refinement.h>
+#include <CGAL/Point_set_skeletonization_3/internal/stray_components.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface_quotient.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// The patches of a mixture level with all that the projection and the linking ask them.
+template <typename ConcurrencyTag>
+class Oriented_surface
+{
+public:
+  explicit Oriented_surface(const Gaussians& gaussians)
+    : patches(surface_patches<ConcurrencyTag>(gaussians)), spacing(median_spacing(patches))
+  {
+    orient_patches(patches);
+    settle_orientation<ConcurrencyTag>(patches);
+    confidence = orientation_confidence(patches);
+    side = std::make_unique<Solid_side>(patches, confidence, spacing);
+
+    // A patch of a few points is thinner than the surface is known; a tenth of the spacing is not.
+    const Matrix3 blur = 0.01 * spacing * spacing * Matrix3::Identity();
+    std::vector<Oriented_gaussian> finest;
+    for(std::size_t i = 0; i < gaussians.size(); ++i)
+      finest.push_back({{gaussians[i].weight, gaussians[i].mean, gaussians[i].covariance + blur},
+                        patches[i].normal,
+                        confidence[i]});
+    mixture = std::make_unique<Oriented_mixture>(std::move(finest), spacing);
+  }
+
+  std::vector<Patch> patches;
+  double spacing;
+  std::vector<double> confidence;
+  std::unique_ptr<Solid_side> side;
+  std::unique_ptr<Oriented_mixture> mixture;
+};
+
+/// Projects the patches of a mixture level to their local medians, one sample per patch.
+template <typename ConcurrencyTag>
+Projection_outcome project_patches(const Oriented_surface<ConcurrencyTag>& surface,
+                                   const Projection_options& options, const Progress& progress,
+                                   std::vector<Sample>& samples)
+{
+  const std::vector<double> balls =
+    medial_ball_radii<ConcurrencyTag>(surface.patches, surface.confidence);
+  samples = medial_samples(surface.patches, surface.confidence, balls, options);
+  const Projection_outcome outcome =
+    project_samples<ConcurrencyTag>(samples, *surface.mixture, options, progress);
+  bring_back_lost_samples(samples, surface.patches);
+  return outcome;
+}
+
+/// The default: patches of a grid, orientation, medial balls and gated projection, surface quotient.
+template <typename ConcurrencyTag>
+class Surface_quotient_stages : public Skeletonization_stages
+{
+public:
+  explicit Surface_quotient_stages(const Projection_options& options) : projection_(options) {}
+
+  bool fit(const std::vector<Vector3>& points, const Progress& progress) override
+  {
+    constexpr std::size_t number_of_levels = 3; // for who reads the mixture; we read the first
+    levels_ = grid_moments<ConcurrencyTag>(points, Grid_options(), number_of_levels);
+    points_ = &points;
+    for(const Grid_level& level : levels_)
+      mixture.push_back(level.gaussians);
+    return progress(1);
+  }
+
+  bool project(const Progress& progress) override
+  {
+    if(mixture.empty())
+      return progress(1);
+    surface_ = std::make_unique<Oriented_surface<ConcurrencyTag>>(mixture.front());
+    if(!progress(0.2))
+      return false;
+    outcome = project_patches<ConcurrencyTag>(*surface_, projection_, progress.part(0.2, 1), samples);
+    return outcome.reason != Projection_stop_reason::cancelled;
+  }
+
+  bool link(const Progress& progress) override
+  {
+    if(samples.empty())
+      return progress(1);
+    const Sample_groups groups = group_samples(samples, surface_->patches);
+    Skeleton_graph quotient = surface_quotient(groups, surface_->patches, *surface_->side);
+    if(!progress(0.6))
+      return false;
+
+    std::vector<double> weight(quotient.vertices.size(), 0);
+    for(std::size_t i = 0; i < samples.size(); ++i)
+      weight[groups.group_of_sample[i]] += surface_->patches[i].weight;
+    const std::vector<bool> stray = stray_vertices(quotient, weight);
+    std::vector<bool> outlier(samples.size());
+    for(std::size_t i = 0; i < samples.size(); ++i)
+      outlier[i] = stray[groups.group_of_sample[i]];
+
+    graph = pruned(without(quotient, stray));
+    smooth(graph);
+    graph = resampled(graph, surface_->spacing);
+    extend_ends(graph, surface_points(assigned_vertices(outlier)));
+    smooth(graph);
+    for(Skeleton_graph::Vertex& v : graph.vertices) {
+      const double radius = visible_distance(v.position, surface_->mixture->finest());
+      if(radius > 0)
+        v.radius = radius;
+    }
+    if(!progress(0.8))
+      return false;
+    assign_points(assigned_vertices(outlier));
+    return progress(1);
+  }
+
+  const Gaussians& components() const override { return mixture.front(); }
+
+private:
+  /// The vertex nearest to every sample; `none` for outliers.
+  std::vector<std::size_t> assigned_vertices(const std::vector<bool>& outlier) const
+  {
+    const Neighbor_search search(graph.vertices.size(),
+                                 [&](std::size_t v) { return graph.vertices[v].position; });
+    std::vector<std::size_t> result(samples.size(), none);
+    for(std::size_t i = 0; i < samples.size(); ++i)
+      if(!outlier[i])
+        result[i] = search.nearest(samples[i].position).index;
+    return result;
+  }
+
+  /// The patches of every vertex.
+  std::vector<std::vector<Vector3>>
+  surface_points(const std::vector<std::size_t>& vertex_of_sample) const
+  {
+    std::vector<std::vector<Vector3>> result(graph.vertices.size());
+    for(std::size_t i = 0; i < samples.size(); ++i)
+      if(vertex_of_sample[i] != none)
+        result[vertex_of_sample[i]].push_back(surface_->patches[i].mean);
+    return result;
+  }
+
+  void assign_points(const std::vector<std::size_t>& vertex_of_sample)
+  {
+    const Grid_level& level = levels_.front();
+    vertex_of_point.resize(points_->size());
+    parallel_for<ConcurrencyTag>(points_->size(), [&](std::size_t p) {
+      vertex_of_point[p] = vertex_of_sample[level.cell_index((*points_)[p])];
+    });
+  }
+
+  Projection_options projection_;
+  std::vector<Grid_level> levels_;
+  const std::vector<Vector3>* points_ = nullptr;
+  std::unique_ptr<Oriented_surface<ConcurrencyTag>> surface_;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_QUOTIENT_STAGES_H

@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_NAMED_PARAMETERS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_NAMED_PARAMETERS_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/Normalization.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Progress.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Published_stages.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Surface_quotient_stages.h>
+#include <CGAL/Point_set_skeletonization_3/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+// The only place where named parameters are read; everything below sees plain structs.
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// The traits that a call with these parameters works with.
+template <typename PointRange, typename NamedParameters>
+using Geom_traits_of =
+  typename Point_set_processing_3_np_helper<PointRange, NamedParameters>::Geom_traits;
+
+/// The callback, copied: a reference could outlive the temporary it was given as.
+template <typename NamedParameters>
+Progress progress_of(const NamedParameters& np)
+{
+  return Progress(parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::callback), std::function<bool(double)>()));
+}
+
+/// The points of a range through its `point_map`.
+template <typename PointRange, typename NamedParameters>
+std::vector<Vector3> coordinates_of(const PointRange& points, const NamedParameters& np)
+{
+  using Helper = Point_set_processing_3_np_helper<PointRange, NamedParameters>;
+  const auto map = Helper::get_const_point_map(points, np);
+  std::vector<Vector3> result;
+  for(const auto& item : points)
+    result.push_back(Normalization::vector(get(map, item)));
+  return result;
+}
+
+template <typename NamedParameters>
+Projection_options projection_options(const NamedParameters& np)
+{
+  Projection_options options;
+  options.maximum_iterations = parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::number_of_iterations), options.maximum_iterations);
+  return options;
+}
+
+template <typename NamedParameters>
+Published_projection_options published_projection_options(const NamedParameters& np)
+{
+  Published_projection_options options;
+  options.iterations = parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::number_of_iterations), options.iterations);
+  return options;
+}
+
+/// The default method or the published one.
+template <typename ConcurrencyTag, typename NamedParameters>
+std::unique_ptr<Skeletonization_stages> make_stages(const NamedParameters& np)
+{
+  const bool published =
+    parameters::choose_parameter(parameters::get_parameter(np, internal_np::as_published), false);
+  if(!published)
+    return std::make_unique<Surface_quotient_stages<ConcurrencyTag>>(projection_options(np));
+  const auto seed = parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::random_seed), 0u);
+  return std::make_unique<Published_stages<ConcurrencyTag>>(static_cast<unsigned int>(seed),
+                                                            published_projection_options(np));
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_NAMED_PARAMETERS_H

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLIC_DATA_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLIC_DATA_H
+
+#include <CGAL/Curve_skeleton_3.h>
+#include <CGAL/Gaussian_mixture_3.h>
+#include <CGAL/Medial_sample_3.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Normalization.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/samples.h>
+
+#include <boost/graph/adjacency_list.hpp>
+
+#include <cstddef>
+#include <vector>
+
+// Normalised internals to public data in the coordinates of the input, and back.
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+template <typename GeomTraits>
+Gaussian_mixture_3<GeomTraits> public_mixture(const std::vector<Gaussians>& levels,
+                                              const Normalization& normalization)
+{
+  using FT = typename GeomTraits::FT;
+  Gaussian_mixture_3<GeomTraits> result;
+  for(const Gaussians& level : levels) {
+    result.levels.emplace_back();
+    for(const Gaussian& g : level)
+      result.levels.back().push_back({static_cast<FT>(g.weight),
+                                      normalization.point<GeomTraits>(g.mean),
+                                      normalization.covariance<FT>(g.covariance)});
+  }
+  return result;
+}
+
+template <typename GeomTraits>
+Gaussians normalized_level(const std::vector<Gaussian_component_3<GeomTraits>>& level,
+                           const Normalization& normalization)
+{
+  Gaussians result;
+  for(const auto& c : level)
+    result.push_back({static_cast<double>(c.weight),
+                      normalization.to_unit(Normalization::vector(c.mean)),
+                      normalization.unit_covariance(c.covariance)});
+  return result;
+}
+
+template <typename GeomTraits>
+std::vector<Medial_sample_3<GeomTraits>> public_samples(const std::vector<Sample>& samples,
+                                                        const Normalization& normalization)
+{
+  using FT = typename GeomTraits::FT;
+  const double scale = normalization.diagonal();
+  std::vector<Medial_sample_3<GeomTraits>> result;
+  for(const Sample& s : samples)
+    result.push_back({normalization.point<GeomTraits>(s.origin),
+                      normalization.point<GeomTraits>(s.position),
+                      static_cast<FT>(s.kernel_radius * scale), static_cast<FT>(s.radius * scale),
+                      s.frozen});
+  return result;
+}
+
+/// `vertex_of_point` gives every input point its vertex; a value that is no vertex: none.
+template <typename GeomTraits, typename SkeletonGraph>
+SkeletonGraph public_skeleton(const Skeleton_graph& graph,
+                              const std::vector<std::size_t>& vertex_of_point,
+                              const Normalization& normalization)
+{
+  using FT = typename GeomTraits::FT;
+  SkeletonGraph result(graph.vertices.size());
+  for(std::size_t v = 0; v < graph.vertices.size(); ++v) {
+    auto& bundle = result[vertex(v, result)];
+    bundle.point = normalization.point<GeomTraits>(graph.vertices[v].position);
+    bundle.radius = static_cast<FT>(graph.vertices[v].radius * normalization.diagonal());
+  }
+  for(std::size_t p = 0; p < vertex_of_point.size(); ++p)
+    if(vertex_of_point[p] < graph.vertices.size())
+      result[vertex(vertex_of_point[p], result)].indices.push_back(p);
+  for(const Skeleton_graph::Edge& e : graph.edges)
+    add_edge(vertex(e.first, result), vertex(e.second, result), result);
+  return result;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLIC_DATA_H

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_EXTRACT_L1_MEDIAL_SKELETON_H
+#define CGAL_EXTRACT_L1_MEDIAL_SKELETON_H
+
+#include <CGAL/L1_medial_skeletonization_3.h>
+
+namespace CGAL {
+
+/// Extracts the curve skeleton of a point set: no normals, no mesh and no parameter needed.
+///
+/// \tparam ConcurrencyTag `Sequential_tag` (default), `Parallel_tag` (needs TBB) or
+///         `Parallel_if_available_tag`; the result is the same, bit for bit
+/// \tparam PointRange a model of `ConstRange`; it is read once and never changed
+/// \tparam Skeleton `Curve_skeleton_3<Traits>`, or a BGL adjacency list whose vertex bundle has
+///         `.point`, `.radius` and `.indices`
+/// \tparam NamedParameters a sequence of named parameters
+///
+/// \param points the points, in any unit and at any offset. None gives an empty skeleton, a single
+///        one or many equal ones a single vertex.
+/// \param skeleton replaced by the result; left untouched if the callback cancels or on an exception
+/// \param np
+///   \cgalNamedParamsBegin
+///     \cgalParamNBegin{point_map} \cgalParamDescription{gives the `Point_3` of an element}
+///       \cgalParamDefault{`Identity_property_map`} \cgalParamNEnd
+///     \cgalParamNBegin{geom_traits} \cgalParamDescription{a model of
+///       `L1MedialSkeletonizationTraits_3`} \cgalParamDefault{the kernel of the points} \cgalParamNEnd
+///     \cgalParamNBegin{callback} \cgalParamDescription{called with the progress in [0, 1], from the
+///       calling thread; returning `false` cancels} \cgalParamType{`std::function<bool(double)>`}
+///       \cgalParamDefault{none} \cgalParamNEnd
+///     \cgalParamNBegin{number_of_iterations} \cgalParamDescription{bound on the iterations of the
+///       projection; as published, their fixed number} \cgalParamType{`std::size_t`}
+///       \cgalParamDefault{20; as published 30} \cgalParamNEnd
+///     \cgalParamNBegin{as_published} \cgalParamDescription{the method as published, for comparison:
+///       `as_published(true, rest)`, see `CGAL/Point_set_skeletonization_3/parameters.h`}
+///       \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
+///     \cgalParamNBegin{random_seed} \cgalParamDescription{of the published method; the default
+///       method draws nothing at random} \cgalParamType{`unsigned int`} \cgalParamDefault{0}
+///       \cgalParamNEnd
+///   \cgalNamedParamsEnd
+///
+/// \returns `false` if the callback cancelled
+/// \throws std::invalid_argument if a coordinate is not finite; the message names the point
+template <typename ConcurrencyTag = Sequential_tag, typename PointRange, typename Skeleton,
+          typename NamedParameters = parameters::Default_named_parameters>
+bool extract_l1_medial_skeleton(const PointRange& points, Skeleton& skeleton,
+                                const NamedParameters& np = parameters::default_values())
+{
+  using Traits = Point_set_skeletonization_3::internal::Geom_traits_of<PointRange, NamedParameters>;
+  L1_medial_skeletonization_3<Traits, ConcurrencyTag> skeletonization(points, np);
+  if(!skeletonization.run())
+    return false;
+  skeletonization.extract_skeleton(skeleton);
+  return true;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_EXTRACT_L1_MEDIAL_SKELETON_H

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_FIT_GAUSSIAN_MIXTURE_H
+#define CGAL_FIT_GAUSSIAN_MIXTURE_H
+
+#include <CGAL/L1_medial_skeletonization_3.h>
+
+namespace CGAL {
+
+/// Fits a hierarchy of Gaussian mixtures to a point set.
+///
+/// By default the finest level holds the moments of the cells of a grid, every next level those of
+/// cells twice as wide: linear time, exact mass, mean and covariance. With `as_published(true)` it
+/// is hierarchical expectation maximization from the points' nearest neighbours, with weights of 1
+/// over the local density.
+///
+/// Template and named parameters as for `extract_l1_medial_skeleton()`: `point_map`, `geom_traits`,
+/// `callback`, `as_published`, `random_seed`.
+/// \returns the mixture, in the coordinates of the input; without levels if there are no points or
+///          the callback cancelled
+/// \throws std::invalid_argument if a coordinate is not finite; the message names the point
+template <typename ConcurrencyTag = Sequential_tag, typename PointRange,
+          typename NamedParameters = parameters::Default_named_parameters>
+auto fit_gaussian_mixture(const PointRange& points,
+                          const NamedParameters& np = parameters::default_values())
+{
+  using Traits = Point_set_skeletonization_3::internal::Geom_traits_of<PointRange, NamedParameters>;
+  L1_medial_skeletonization_3<Traits, ConcurrencyTag> skeletonization(points, np);
+  return skeletonization.fit_mixture() ? skeletonization.mixture() : Gaussian_mixture_3<Traits>();
+}
+
+} // namespace CGAL
+
+#endif // CGAL_FIT_GAUSSIAN_MIXTURE_H
