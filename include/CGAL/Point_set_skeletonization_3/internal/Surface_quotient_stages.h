@@ -105,15 +105,12 @@ public:
     if(!progress(0.6))
       return false;
 
-    std::vector<double> weight(quotient.vertices.size(), 0);
-    for(std::size_t i = 0; i < samples.size(); ++i)
-      weight[groups.group_of_sample[i]] += surface_->patches[i].weight;
-    const std::vector<bool> stray = stray_vertices(quotient, weight);
+    const std::vector<bool> stray = stray_vertices(quotient, group_weights(groups));
     std::vector<bool> outlier(samples.size());
     for(std::size_t i = 0; i < samples.size(); ++i)
       outlier[i] = stray[groups.group_of_sample[i]];
 
-    graph = pruned(without(quotient, stray));
+    graph = pruned(without(quotient, stray), without(surface_shares(groups), stray));
     smooth(graph);
     graph = resampled(graph, surface_->spacing);
     extend_ends(graph, surface_points(assigned_vertices(outlier)));
@@ -132,6 +129,27 @@ public:
   const Gaussians& components() const override { return mixture.front(); }
 
 private:
+  /// The number of points of every group.
+  std::vector<double> group_weights(const Sample_groups& groups) const
+  {
+    std::vector<double> result(groups.groups.size(), 0);
+    for(std::size_t i = 0; i < samples.size(); ++i)
+      result[groups.group_of_sample[i]] += surface_->patches[i].weight;
+    return result;
+  }
+
+  std::vector<Surface_share> surface_shares(const Sample_groups& groups) const
+  {
+    std::vector<Surface_share> result(groups.groups.size());
+    for(std::size_t i = 0; i < samples.size(); ++i) {
+      Surface_share& share = result[groups.group_of_sample[i]];
+      share.patches += 1;
+      share.trust += surface_->confidence[i];
+      share.normals += surface_->confidence[i] * surface_->patches[i].normal;
+    }
+    return result;
+  }
+
   /// The vertex nearest to every sample; `none` for outliers.
   std::vector<std::size_t> assigned_vertices(const std::vector<bool>& outlier) const
   {

@@ -25,10 +25,10 @@ namespace internal {
 struct Grid_options
 {
   /// Points a patch should hold on average: fewer make its normal noise, more lose thin limbs.
-  double points_per_patch = 6;
+  double points_per_patch = 4;
 
   /// The cost of all that follows depends on the patches only, so their number is bounded.
-  std::size_t maximum_patches = 4000;
+  std::size_t maximum_patches = 6000;
 
   /// A cloud this small is all detail: every patch is kept.
   std::size_t minimum_patches = 400;

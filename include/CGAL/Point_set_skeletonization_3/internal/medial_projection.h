@@ -134,23 +134,35 @@ inline std::vector<Sample> medial_samples(const std::vector<Patch>& patches,
 }
 
 /// Puts samples that ended outside of the shape where the sample of the nearest patch beside them
-/// on the surface is: their normal was wrong and took them to where nothing pulls.
+/// on the surface is: their normal was wrong and took them to where nothing pulls. A lost one among
+/// lost ones follows once its neighbour is back; with nobody to follow it returns to its patch.
 inline void bring_back_lost_samples(std::vector<Sample>& samples, const std::vector<Patch>& patches)
 {
   std::vector<char> lost(samples.size(), 0);
   for(std::size_t i = 0; i < samples.size(); ++i)
     lost[i] = winding_number(patches, samples[i].position) < 0.25;
-  for(std::size_t i = 0; i < samples.size(); ++i) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for(std::size_t j : patches[i].neighbors) {
-      const double squared = (patches[j].mean - patches[i].mean).squaredNorm();
-      if(lost[i] && !lost[j] && squared < nearest) {
+  for(bool found = true; found;) {
+    found = false;
+    const std::vector<char> lost_before = lost;
+    for(std::size_t i = 0; i < samples.size(); ++i) {
+      double nearest = std::numeric_limits<double>::infinity();
+      for(std::size_t j : patches[i].neighbors) {
+        const double squared = (patches[j].mean - patches[i].mean).squaredNorm();
+        if(!lost_before[i] || lost_before[j] || squared >= nearest)
+          continue;
         nearest = squared;
         samples[i].position = samples[j].position;
         samples[i].radius = samples[j].radius;
+        lost[i] = 0;
+        found = true;
       }
     }
   }
+  for(std::size_t i = 0; i < samples.size(); ++i)
+    if(lost[i]) {
+      samples[i].position = samples[i].origin;
+      samples[i].radius = 0;
+    }
 }
 
 /// Moves the samples to the local L1-medians of the mixture. Every iteration reads the positions of

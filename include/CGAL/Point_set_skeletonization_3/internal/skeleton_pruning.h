@@ -36,6 +36,17 @@ inline Skeleton_graph without(const Skeleton_graph& graph, const std::vector<boo
   return result;
 }
 
+/// The values of the vertices not marked `removed`.
+template <typename T>
+std::vector<T> without(const std::vector<T>& values, const std::vector<bool>& removed)
+{
+  std::vector<T> result;
+  for(std::size_t v = 0; v < values.size(); ++v)
+    if(!removed[v])
+      result.push_back(values[v]);
+  return result;
+}
+
 /// How far a branch that hangs on a junction reaches out of the balls of all other vertices, in
 /// radii of the ball that holds it best; infinite for branches between two junctions or two ends.
 inline double branch_prominence(const Branch& branch, const Skeleton_graph& graph,
@@ -59,18 +70,57 @@ inline double branch_prominence(const Branch& branch, const Skeleton_graph& grap
   return least;
 }
 
-/// Removes spurs, the least prominent first, until every end reaches out of its junction: removing
-/// one may turn its junction into a plain vertex and two short branches into a long one.
-inline Skeleton_graph pruned(Skeleton_graph graph)
+/// The surface that a vertex stands for.
+struct Surface_share
+{
+  double patches = 0;               ///< Their number.
+  double trust = 0;                 ///< The sum of the confidence in their normals.
+  Vector3 normals = Vector3::Zero(); ///< The sum of their normals, weighted so.
+};
+
+/// Patches that a branch of its own shows at the least: a ring around it. Fewer are a fold of the
+/// surface or a twig of a flat part.
+constexpr double least_patches = 8;
+
+/// Normals around a limb cancel, up to its cone's; a spur into a fold or a bump has the surface on
+/// one side. Length of the mean normal across the branch from which on it is a spur: 0 a full ring,
+/// 0.64 the normals of half a ring, 1 a plane.
+constexpr double one_sided = 0.5;
+
+/// How much a branch that ends stands out, 1 being just enough to stay; infinite for others.
+inline double branch_salience(const Branch& branch, const Skeleton_graph& graph,
+                              const std::vector<std::vector<std::size_t>>& adjacency,
+                              const std::vector<Surface_share>& surface)
+{
+  const double p = branch_prominence(branch, graph, adjacency);
+  if(p == std::numeric_limits<double>::infinity())
+    return p;
+  Surface_share sum;
+  for(std::size_t v : branch)
+    if(adjacency[v].size() < 3) {
+      sum.patches += surface[v].patches;
+      sum.trust += surface[v].trust;
+      sum.normals += surface[v].normals;
+    }
+  const Vector3 axis = (graph.vertices[branch.back()].position -
+                        graph.vertices[branch.front()].position).normalized();
+  const double across = (sum.normals - axis.dot(sum.normals) * axis).norm();
+  const double sidedness = sum.trust > 0 ? across / sum.trust : 0;
+  return std::min({p / prominence, sum.patches / least_patches, one_sided / sidedness});
+}
+
+/// Removes spurs, the least salient first: removing one may turn its junction into a plain vertex
+/// and two short branches into a long one. `surface` tells what every vertex stands for.
+inline Skeleton_graph pruned(Skeleton_graph graph, std::vector<Surface_share> surface)
 {
   for(;;) {
     const auto adjacency = graph.adjacency();
-    double least = prominence;
+    double least = 1;
     Branch spur;
     for(const Branch& branch : branches(graph)) {
-      const double p = branch_prominence(branch, graph, adjacency);
-      if(p < least) {
-        least = p;
+      const double salience = branch_salience(branch, graph, adjacency, surface);
+      if(salience < least) {
+        least = salience;
         spur = branch;
       }
     }
@@ -79,6 +129,7 @@ inline Skeleton_graph pruned(Skeleton_graph graph)
     std::vector<bool> removed(graph.vertices.size(), false);
     for(std::size_t v : spur)
       removed[v] = adjacency[v].size() < 3;
+    surface = without(surface, removed);
     graph = without(graph, removed);
   }
 }

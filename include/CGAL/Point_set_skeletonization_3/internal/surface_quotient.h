@@ -193,7 +193,7 @@ inline std::vector<std::size_t> forest_path(std::size_t from, std::size_t to,
   return path;
 }
 
-/// A loop with an edge that is blocked more than this closes through a contact of two limbs. A tube
+/// An edge of a loop that is blocked more than this leads through a contact of two limbs. A tube
 /// blocks its axis hardly, a bend or a junction on the way to a third.
 constexpr double contact = 0.4;
 
@@ -212,14 +212,8 @@ inline bool spans_air(const std::vector<std::size_t>& loop, const Skeleton_graph
     length += (v.position - graph.vertices[loop[(k + 1) % loop.size()]].position).norm();
   }
   // A tube of that radius around a hole as wide as the patches lie apart has a longer axis.
-  if(length < 6.2831853 * (radius + side.spacing() / 2))
+  if(length < 2 * CGAL_PI * (radius + side.spacing() / 2))
     return false;
-  for(std::size_t k = 0; k < loop.size(); ++k) {
-    const Vector3& a = graph.vertices[loop[k]].position;
-    const Vector3& b = graph.vertices[loop[(k + 1) % loop.size()]].position;
-    if((a - b).norm() > side.spacing() / 2 && side.blocked(a, b) > contact)
-      return false;
-  }
   for(std::size_t k = 0; k < loop.size(); ++k) {
     const Vector3& a = graph.vertices[loop[k]].position;
     const Vector3& b = graph.vertices[loop[(k + 1) % loop.size()]].position;
@@ -227,6 +221,43 @@ inline bool spans_air(const std::vector<std::size_t>& loop, const Skeleton_graph
       return true;
   }
   return false;
+}
+
+/// The edge of a loop that is blocked most, and how much. Edges shorter than half a patch do not
+/// count: their middle is as good as their ends.
+inline std::pair<Skeleton_graph::Edge, double> most_blocked(const std::vector<std::size_t>& loop,
+                                                            const Skeleton_graph& graph,
+                                                            const Solid_side& side)
+{
+  std::pair<Skeleton_graph::Edge, double> worst{{0, 0}, 0};
+  for(std::size_t k = 0; k < loop.size(); ++k) {
+    const std::size_t u = loop[k], v = loop[(k + 1) % loop.size()];
+    const Vector3& a = graph.vertices[u].position;
+    const Vector3& b = graph.vertices[v].position;
+    const double blocked = (b - a).norm() > side.spacing() / 2 ? side.blocked(a, b) : 0;
+    if(blocked > worst.second)
+      worst = {{std::min(u, v), std::max(u, v)}, blocked};
+  }
+  return worst;
+}
+
+/// Adds to a forest the edges that close loops around air. A loop through a contact is opened
+/// there, which may be anywhere on it, and not where it happened to be closed.
+inline void close_loops(Skeleton_graph& graph, const std::vector<Skeleton_graph::Edge>& closing,
+                        const Solid_side& side)
+{
+  std::vector<Skeleton_graph::Edge> loops;
+  for(const Skeleton_graph::Edge& e : closing) {
+    const std::vector<std::size_t> loop = forest_path(e.first, e.second, graph.adjacency());
+    if(!spans_air(loop, graph, side))
+      continue;
+    const auto worst = most_blocked(loop, graph, side);
+    if(worst.second <= contact)
+      loops.push_back(e);
+    else
+      std::replace(graph.edges.begin(), graph.edges.end(), worst.first, e); // if it is not e itself
+  }
+  graph.edges.insert(graph.edges.end(), loops.begin(), loops.end());
 }
 
 /// The surface quotient: the patches' adjacency carried over to where their samples went, with
@@ -247,10 +278,7 @@ inline Skeleton_graph surface_quotient(const Sample_groups& groups,
     graph.vertices.size(), visible,
     [&](std::size_t a, std::size_t b, std::size_t c) { return complex.fills(a, b, c); });
   graph.edges = edges.spanning;
-  const auto forest = graph.adjacency();
-  for(const Skeleton_graph::Edge& e : edges.closing)
-    if(spans_air(forest_path(e.first, e.second, forest), graph, side))
-      graph.edges.push_back(e);
+  close_loops(graph, edges.closing, side);
   join_along_surface(graph, groups, patches);
   return graph;
 }
