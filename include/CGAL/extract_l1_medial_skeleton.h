@@ -31,7 +31,7 @@ namespace CGAL {
 ///       \cgalParamDefault{none} \cgalParamNEnd
 ///     \cgalParamNBegin{number_of_iterations} \cgalParamDescription{bound on the iterations of the
 ///       projection; as published, their fixed number} \cgalParamType{`std::size_t`}
-///       \cgalParamDefault{20; as published 30} \cgalParamNEnd
+///       \cgalParamDefault{40; as published 30} \cgalParamNEnd
 ///     \cgalParamNBegin{as_published} \cgalParamDescription{the method as published, for comparison:
 ///       `as_published(true, rest)`, see `CGAL/Point_set_skeletonization_3/parameters.h`}
 ///       \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd

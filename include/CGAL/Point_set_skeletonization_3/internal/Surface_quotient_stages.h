@@ -144,7 +144,6 @@ private:
     for(std::size_t i = 0; i < samples.size(); ++i) {
       Surface_share& share = result[groups.group_of_sample[i]];
       share.patches += 1;
-      share.trust += surface_->confidence[i];
       share.normals += surface_->confidence[i] * surface_->patches[i].normal;
     }
     return result;

@@ -27,8 +27,9 @@ namespace internal {
 
 struct Projection_options
 {
-  /// Bound on the iterations; from its medial ball a sample needs a handful.
-  std::size_t maximum_iterations = 20;
+  /// Bound on the iterations. From its medial ball a sample in a limb needs a handful; the sheets in
+  /// thick parts contract slowly and change no end or loop any more after some 40.
+  std::size_t maximum_iterations = 40;
 
   /// Kernel radius over the radius of the medial ball. The centre of a round tube attracts under
   /// Eq. 9 for ratios above sqrt(32) = 5.7 only (below, the ring itself does); far above, neighbouring

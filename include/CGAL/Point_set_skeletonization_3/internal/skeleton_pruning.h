@@ -73,14 +73,13 @@ inline double branch_prominence(const Branch& branch, const Skeleton_graph& grap
 /// The surface that a vertex stands for.
 struct Surface_share
 {
-  double patches = 0;               ///< Their number.
-  double trust = 0;                 ///< The sum of the confidence in their normals.
-  Vector3 normals = Vector3::Zero(); ///< The sum of their normals, weighted so.
+  double patches = 0;                ///< Number of patches.
+  Vector3 normals = Vector3::Zero(); ///< Sum of their normals, each as long as it can be trusted.
 };
 
 /// Patches that a branch of its own shows at the least: a ring around it. Fewer are a fold of the
 /// surface or a twig of a flat part.
-constexpr double least_patches = 8;
+constexpr double least_patches = 6;
 
 /// Normals around a limb cancel, up to its cone's; a spur into a fold or a bump has the surface on
 /// one side. Length of the mean normal across the branch from which on it is a spur: 0 a full ring,
@@ -99,13 +98,12 @@ inline double branch_salience(const Branch& branch, const Skeleton_graph& graph,
   for(std::size_t v : branch)
     if(adjacency[v].size() < 3) {
       sum.patches += surface[v].patches;
-      sum.trust += surface[v].trust;
       sum.normals += surface[v].normals;
     }
   const Vector3 axis = (graph.vertices[branch.back()].position -
                         graph.vertices[branch.front()].position).normalized();
   const double across = (sum.normals - axis.dot(sum.normals) * axis).norm();
-  const double sidedness = sum.trust > 0 ? across / sum.trust : 0;
+  const double sidedness = sum.patches > 0 ? across / sum.patches : 0;
   return std::min({p / prominence, sum.patches / least_patches, one_sided / sidedness});
 }
 

@@ -10,6 +10,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/samples.h>
 #include <CGAL/Point_set_skeletonization_3/internal/solid_side.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <limits>
