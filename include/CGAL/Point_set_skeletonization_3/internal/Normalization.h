@@ -8,9 +8,10 @@
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -27,20 +28,27 @@ class Normalization
 public:
   Normalization() = default;
 
-  /// `lower` and `upper` are the corners of the input's bounding box.
+  /// `lower` and `upper` are the corners of the input's bounding box. Halves are subtracted so that
+  /// no box of finite coordinates overflows; a diagonal that does counts as the largest number.
   Normalization(const Vector3& lower, const Vector3& upper)
-    // Halves are added so that no box of finite coordinates overflows.
-    : center_(lower / 2 + upper / 2), diagonal_(2 * (upper / 2 - lower / 2).stableNorm())
+    : lower_(lower), half_extent_(upper / 2 - lower / 2)
   {
-    if(!(diagonal_ > 0))
-      diagonal_ = 1;
+    const double half_diagonal = half_extent_.stableNorm();
+    if(half_diagonal > 0)
+      diagonal_ = 2 * std::min(half_diagonal, std::numeric_limits<double>::max() / 2);
   }
 
   /// Length of the input's bounding box diagonal; 1 if all points are equal.
   double diagonal() const { return diagonal_; }
 
-  Vector3 to_unit(const Vector3& p) const { return (p - center_) / diagonal_; }
-  Vector3 from_unit(const Vector3& p) const { return p * diagonal_ + center_; }
+  /// Relative to a corner of the box first: that difference is exact far from the origin, whereas
+  /// the centre is not, so that the same points elsewhere become the same to the last bit.
+  Vector3 to_unit(const Vector3& p) const
+  {
+    return ((p / 2 - lower_ / 2) - half_extent_ / 2) / (diagonal_ / 2);
+  }
+
+  Vector3 from_unit(const Vector3& p) const { return p * diagonal_ + (lower_ + half_extent_); }
 
   template <typename Point_3>
   static Vector3 vector(const Point_3& p)
@@ -61,7 +69,7 @@ public:
   template <typename FT>
   std::array<FT, 6> covariance(const Matrix3& c) const
   {
-    const Matrix3 s = c * (diagonal_ * diagonal_);
+    const Matrix3 s = c * diagonal_ * diagonal_; // one after the other: the square may overflow
     return {{static_cast<FT>(s(0, 0)), static_cast<FT>(s(0, 1)), static_cast<FT>(s(0, 2)),
              static_cast<FT>(s(1, 1)), static_cast<FT>(s(1, 2)), static_cast<FT>(s(2, 2))}};
   }
@@ -71,11 +79,12 @@ public:
   {
     Matrix3 s;
     s << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
-    return s / (diagonal_ * diagonal_);
+    return s / diagonal_ / diagonal_;
   }
 
 private:
-  Vector3 center_ = Vector3::Zero();
+  Vector3 lower_ = Vector3::Zero();
+  Vector3 half_extent_ = Vector3::Zero();
   double diagonal_ = 1;
 };
 
