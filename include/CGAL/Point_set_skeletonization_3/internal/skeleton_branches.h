@@ -31,6 +31,21 @@ inline double length(const Branch& branch, const Skeleton_graph& graph)
   return sum;
 }
 
+/// The point at arc length `s` of a branch.
+inline Skeleton_graph::Vertex point_at(double s, const Branch& branch, const Skeleton_graph& graph)
+{
+  for(std::size_t i = 1; i < branch.size(); ++i) {
+    const Skeleton_graph::Vertex& a = graph.vertices[branch[i - 1]];
+    const Skeleton_graph::Vertex& b = graph.vertices[branch[i]];
+    const double length = (b.position - a.position).norm();
+    if(s <= length && length > 0)
+      return {a.position + s / length * (b.position - a.position),
+              a.radius + s / length * (b.radius - a.radius)};
+    s -= length;
+  }
+  return graph.vertices[branch.back()];
+}
+
 /// Follows a path of vertices of degree 2 from `from` through `to`.
 inline Branch follow(std::size_t from, std::size_t to,
                      const std::vector<std::vector<std::size_t>>& adjacency)

@@ -35,21 +35,6 @@ inline void smooth(Skeleton_graph& graph)
   }
 }
 
-/// The point at arc length `s` of a branch.
-inline Skeleton_graph::Vertex point_at(double s, const Branch& branch, const Skeleton_graph& graph)
-{
-  for(std::size_t i = 1; i < branch.size(); ++i) {
-    const Skeleton_graph::Vertex& a = graph.vertices[branch[i - 1]];
-    const Skeleton_graph::Vertex& b = graph.vertices[branch[i]];
-    const double length = (b.position - a.position).norm();
-    if(s <= length && length > 0)
-      return {a.position + s / length * (b.position - a.position),
-              a.radius + s / length * (b.radius - a.radius)};
-    s -= length;
-  }
-  return graph.vertices[branch.back()];
-}
-
 /// Replaces every branch by evenly spaced vertices about `step` apart; ends and junctions stay.
 /// A closed branch keeps three edges at least and one between two junctions two, so that the graph
 /// has neither loops of one edge nor parallel ones.

@@ -8,9 +8,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/essential_cycles.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 #include <CGAL/Point_set_skeletonization_3/internal/samples.h>
+#include <CGAL/Point_set_skeletonization_3/internal/skeleton_branches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/solid_side.h>
-
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -199,23 +198,51 @@ inline std::vector<std::size_t> forest_path(std::size_t from, std::size_t to,
 /// blocks its axis hardly, a bend or a junction on the way to a third.
 constexpr double contact = 0.4;
 
+/// The points of a closed curve half a turn away from its vertices, with their radii.
+inline std::vector<Skeleton_graph::Vertex> half_a_turn_away(const std::vector<std::size_t>& loop,
+                                                            const Skeleton_graph& graph)
+{
+  Branch twice(loop.begin(), loop.end());
+  twice.insert(twice.end(), loop.begin(), loop.end());
+  twice.push_back(loop.front());
+  const double half = length(twice, graph) / 4;
+  std::vector<Skeleton_graph::Vertex> result;
+  double s = 0;
+  for(std::size_t k = 0; k < loop.size(); ++k) {
+    result.push_back(point_at(s + half, twice, graph));
+    s += (graph.vertices[twice[k + 1]].position - graph.vertices[twice[k]].position).norm();
+  }
+  return result;
+}
+
+/// Whether opposite balls of a closed curve keep clear of each other. Around a hole they do: there
+/// is the hole between them. A curve that runs back along itself is no loop.
+inline bool is_open(const std::vector<std::size_t>& loop, const Skeleton_graph& graph,
+                    double spacing)
+{
+  constexpr double overlap = 0.75; // balls of patches, not of points, may overlap a little
+  const std::vector<Skeleton_graph::Vertex> opposite = half_a_turn_away(loop, graph);
+  for(std::size_t k = 0; k < loop.size(); ++k) {
+    const Skeleton_graph::Vertex& v = graph.vertices[loop[k]];
+    // A hole narrower than half a patch cannot be seen.
+    if((v.position - opposite[k].position).norm() <
+       overlap * (v.radius + opposite[k].radius) + spacing / 2)
+      return false;
+  }
+  return true;
+}
+
 /// Whether a closed curve goes around air. Every surface that spans the loop of a solid leaves the
 /// solid; so if only one - here the fan from the centre of gravity - stays in it, the loop can be
 /// contracted and is none.
 inline bool spans_air(const std::vector<std::size_t>& loop, const Skeleton_graph& graph,
                       const Solid_side& side)
 {
-  Vector3 center = Vector3::Zero();
-  double radius = 0, length = 0;
-  for(std::size_t k = 0; k < loop.size(); ++k) {
-    const Skeleton_graph::Vertex& v = graph.vertices[loop[k]];
-    center += v.position / static_cast<double>(loop.size());
-    radius += v.radius / static_cast<double>(loop.size());
-    length += (v.position - graph.vertices[loop[(k + 1) % loop.size()]].position).norm();
-  }
-  // A tube of that radius around a hole as wide as the patches lie apart has a longer axis.
-  if(length < 2 * CGAL_PI * (radius + side.spacing() / 2))
+  if(!is_open(loop, graph, side.spacing()))
     return false;
+  Vector3 center = Vector3::Zero();
+  for(std::size_t v : loop)
+    center += graph.vertices[v].position / static_cast<double>(loop.size());
   for(std::size_t k = 0; k < loop.size(); ++k) {
     const Vector3& a = graph.vertices[loop[k]].position;
     const Vector3& b = graph.vertices[loop[(k + 1) % loop.size()]].position;
