@@ -8,7 +8,7 @@ cmake --build build --target skeletonize_point_set
 results=build/sample_skeletons
 mkdir -p "$results"
 # Each with its vertical axis, for the picture.
-for model_up in dino:z elephant:y armadillo:y camel:y man:z knot2:y 3torus:y; do
+for model_up in dino:z elephant:y armadillo:y camel:y man:z knot2:y eight:z; do
   model=${model_up%:*}
   echo "== $model"
   build/examples/skeletonize_point_set "build/cgal_data/data/meshes/$model.off" --sample 20000 \

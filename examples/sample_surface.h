@@ -39,8 +39,10 @@ std::vector<Point> sample_surface(const Points_and_faces<Point>& mesh, std::size
   std::vector<Point> points;
   if(triangles.empty())
     return points;
-  CGAL::Random random(seed);
-  CGAL::Random_points_in_triangles_3<Point> generator(triangles, random);
+  // The generator draws the triangles from CGAL's default source whatever source it is given: so
+  // that one is seeded, and used for the points as well.
+  CGAL::get_default_random() = CGAL::Random(seed);
+  CGAL::Random_points_in_triangles_3<Point> generator(triangles, CGAL::get_default_random());
   points.reserve(size);
   for(; points.size() < size; ++generator)
     points.push_back(*generator);
