@@ -5,7 +5,6 @@
 #define CGAL_GAUSSIAN_MIXTURE_3_H
 
 #include <array>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL {

@@ -6,17 +6,22 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
 
+#include <CGAL/Euclidean_distance.h>
 #include <CGAL/Fuzzy_sphere.h>
 #include <CGAL/Kd_tree.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Splitters.h>
+#include <CGAL/tags.h>
 
 #include <boost/iterator/counting_iterator.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {

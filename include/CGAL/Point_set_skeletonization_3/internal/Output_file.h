@@ -8,6 +8,7 @@
 #include <fstream>
 #include <limits>
 #include <locale>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <system_error>

@@ -4,11 +4,13 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_STAGES_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_STAGES_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Skeletonization_stages.h>
 #include <CGAL/Point_set_skeletonization_3/internal/branch_detection.h>
 #include <CGAL/Point_set_skeletonization_3/internal/branch_merging.h>
 #include <CGAL/Point_set_skeletonization_3/internal/hierarchical_em.h>
 #include <CGAL/Point_set_skeletonization_3/internal/nearest_neighbor_gaussians.h>
+#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published_projection.h>
 
 #include <algorithm>

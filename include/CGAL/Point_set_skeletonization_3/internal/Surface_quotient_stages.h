@@ -4,16 +4,22 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_QUOTIENT_STAGES_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_QUOTIENT_STAGES_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Skeletonization_stages.h>
 #include <CGAL/Point_set_skeletonization_3/internal/grid_moments.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial_balls.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial_projection.h>
+#include <CGAL/Point_set_skeletonization_3/internal/oriented_mixture.h>
+#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
+#include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_orientation.h>
 #include <CGAL/Point_set_skeletonization_3/internal/skeleton_pruning.h>
 #include <CGAL/Point_set_skeletonization_3/internal/skeleton_refinement.h>
+#include <CGAL/Point_set_skeletonization_3/internal/solid_side.h>
 #include <CGAL/Point_set_skeletonization_3/internal/stray_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface_quotient.h>
+#include <CGAL/Point_set_skeletonization_3/internal/winding_number.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <utility>

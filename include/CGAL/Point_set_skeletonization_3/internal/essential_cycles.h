@@ -7,10 +7,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/Skeleton_graph.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
