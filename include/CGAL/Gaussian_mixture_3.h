@@ -17,7 +17,7 @@ struct Gaussian_component_3
   using Point_3 = typename GeomTraits::Point_3;
 
   /// Number of input points the component stands for; fractional after expectation maximization,
-  /// and divided by the local density if the mixture was asked to even it out. > 0.
+  /// and divided by the local density in the published method. > 0.
   FT weight = 0;
 
   /// Mean, in the coordinates of the input.

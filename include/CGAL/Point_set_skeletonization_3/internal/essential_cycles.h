@@ -57,7 +57,7 @@ private:
   std::vector<std::size_t> parent_;
 };
 
-/// The edges that a curve with the homotopy type of a flag complex needs.
+/// The edges that a curve needs to be connected like a complex and to have its cycles.
 struct Homotopy_edges
 {
   std::vector<Skeleton_graph::Edge> spanning; ///< A minimum spanning forest.
@@ -68,9 +68,9 @@ struct Homotopy_edges
 /// edge that closes it.
 ///
 /// `edges` are the edges of the complex, shortest first and without duplicates; its triangles are
-/// all triples of edges for whose corners `is_filled(u, v, w)` holds. The rank of the first homology is computed by reducing the boundary matrix
-/// (Edelsbrunner, Letscher, Zomorodian 2002) in the order of the edges, so that a cycle is closed by
-/// the last of its edges to appear.
+/// all triples of edges for whose corners `is_filled(u, v, w)` holds. The rank of the first homology
+/// is computed by reducing the boundary matrix (Edelsbrunner, Letscher, Zomorodian 2002) in the order
+/// of the edges, so that a cycle is closed by the last of its edges to appear.
 template <typename Is_filled>
 Homotopy_edges homotopy_edges(std::size_t number_of_vertices,
                               const std::vector<Skeleton_graph::Edge>& edges,

@@ -8,6 +8,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 
+#include <CGAL/number_utils.h>
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -50,9 +52,9 @@ constexpr std::size_t patch_neighbors = 10;
 /// Between two cells of a sampled surface the spacing itself varies by less than that.
 constexpr double adjacency_reach = 2.2;
 
-/// Two patches face each other, rather than continue each other, if the segment between them
-/// leaves both within 45 degrees of their normals.
-constexpr double facing_cosine = 0.7071;
+/// Two flat patches face each other, rather than continue each other, if the segment between them
+/// leaves both within 60 degrees of their normals; the less flat they are the closer.
+constexpr double facing_cosine = 0.5;
 
 /// Normal and planarity of a patch, from its own moments and those of its neighbours with a
 /// Gaussian weight of the local spacing: few points make the moments of a single patch noisy.
@@ -77,8 +79,8 @@ inline void estimate_normal(Patch& patch, const Gaussians& gaussians,
 inline bool face_each_other(const Patch& a, const Patch& b)
 {
   const Vector3 d = (b.mean - a.mean).normalized();
-  return std::abs(a.normal.dot(d)) * a.planarity > facing_cosine * facing_cosine &&
-         std::abs(b.normal.dot(d)) * b.planarity > facing_cosine * facing_cosine;
+  return std::abs(a.normal.dot(d)) * a.planarity > facing_cosine &&
+         std::abs(b.normal.dot(d)) * b.planarity > facing_cosine;
 }
 
 /// Turns a mixture level into patches that know their neighbours on the surface.
@@ -98,7 +100,7 @@ std::vector<Patch> surface_patches(const Gaussians& gaussians)
     // A patch without another is as large as the whole.
     patch.spacing = nearest[i].size() > 1 ? std::sqrt(nearest[i][middle].squared_distance) : 1;
     // Half of its neighbours share a disc of this radius with it.
-    patch.area = 3.14159265 * patch.spacing * patch.spacing / static_cast<double>(middle + 1);
+    patch.area = CGAL_PI * patch.spacing * patch.spacing / static_cast<double>(middle + 1);
     estimate_normal(patch, gaussians, nearest[i]);
   });
 

@@ -7,6 +7,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 
+#include <CGAL/number_utils.h>
+
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -16,11 +18,10 @@ namespace Point_set_skeletonization_3 {
 namespace internal {
 
 /// The generalised winding number of oriented patches at `q` (Barill et al. 2018, dipole terms):
-/// 1 inside, 0 outside, in between near holes. Patches closer than their spacing are left out: a
-/// dipole says nothing about its own neighbourhood.
+/// 1 inside, 0 outside, in between near holes. Patches closer than half their spacing are left out:
+/// a dipole says nothing about its own neighbourhood.
 inline double winding_number(const std::vector<Patch>& patches, const Vector3& q)
 {
-  constexpr double four_pi = 12.566370614359172;
   double sum = 0;
   for(const Patch& patch : patches) {
     const Vector3 d = patch.mean - q;
@@ -28,7 +29,7 @@ inline double winding_number(const std::vector<Patch>& patches, const Vector3& q
     if(squared > 0.25 * patch.spacing * patch.spacing)
       sum += patch.planarity * patch.area * patch.normal.dot(d) / (squared * std::sqrt(squared));
   }
-  return sum / four_pi;
+  return sum / (4 * CGAL_PI);
 }
 
 /// Turns the patches around that have more inside in front of them than behind: the spanning tree
