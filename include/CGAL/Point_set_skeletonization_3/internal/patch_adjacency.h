@@ -52,6 +52,10 @@ constexpr std::size_t patch_neighbors = 10;
 /// Between two cells of a sampled surface the spacing itself varies by less than that.
 constexpr double adjacency_reach = 2.2;
 
+/// Patches of a mixture may all lie at one place; lengths and weights relative to their spacing stay
+/// finite if it is no less than this. Below any spacing of a grid's patches.
+constexpr double least_spacing = 1e-6;
+
 /// Two flat patches face each other, rather than continue each other, if the segment between them
 /// leaves both within 60 degrees of their normals; the less flat they are the closer.
 constexpr double facing_cosine = 0.5;
@@ -99,6 +103,7 @@ std::vector<Patch> surface_patches(const Gaussians& gaussians)
     const std::size_t middle = nearest[i].size() / 2;
     // A patch without another is as large as the whole.
     patch.spacing = nearest[i].size() > 1 ? std::sqrt(nearest[i][middle].squared_distance) : 1;
+    patch.spacing = std::max(patch.spacing, least_spacing);
     // Half of its neighbours share a disc of this radius with it.
     patch.area = CGAL_PI * patch.spacing * patch.spacing / static_cast<double>(middle + 1);
     estimate_normal(patch, gaussians, nearest[i]);
