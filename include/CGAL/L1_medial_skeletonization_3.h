@@ -29,8 +29,8 @@ namespace CGAL {
 /// order and look at what they leave.
 ///
 /// The default reads the points as the patches of a surface, orients them, moves every patch into
-/// its medial ball and on to the local L1-median of what it sees from inside, and contracts the
-/// patches' adjacency along that motion: loops survive. With `as_published(true)` it is the method
+/// its medial ball and on to the local L1-median of what it sees from inside, and reduces the complex
+/// of what then sees each other inside the shape to a curve: loops survive. With `as_published(true)` it is the method
 /// of Lengauer, Houska and Preiner, whose result is always a tree.
 ///
 /// \tparam Traits a model of `L1MedialSkeletonizationTraits_3`: any CGAL kernel with inexact
@@ -64,6 +64,10 @@ public:
       p = normalization_.to_unit(p);
     stages_ = internal::make_stages<ConcurrencyTag>(np);
   }
+
+  // The stages refer to the points.
+  L1_medial_skeletonization_3(const L1_medial_skeletonization_3&) = delete;
+  L1_medial_skeletonization_3& operator=(const L1_medial_skeletonization_3&) = delete;
 
   /// Step 1: points to a Gaussian mixture. \returns `false` if the callback cancelled
   bool fit_mixture()

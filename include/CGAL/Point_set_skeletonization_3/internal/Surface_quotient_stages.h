@@ -52,6 +52,10 @@ public:
     mixture = std::make_unique<Oriented_mixture>(std::move(finest), spacing);
   }
 
+  // Its parts refer to each other.
+  Oriented_surface(const Oriented_surface&) = delete;
+  Oriented_surface& operator=(const Oriented_surface&) = delete;
+
   std::vector<Patch> patches;
   double spacing;
   std::vector<double> confidence;
@@ -86,6 +90,7 @@ public:
     constexpr std::size_t number_of_levels = 3; // for who reads the mixture; we read the first
     levels_ = grid_moments<ConcurrencyTag>(points, Grid_options(), number_of_levels);
     points_ = &points;
+    mixture.clear(); // of an earlier call
     for(const Grid_level& level : levels_)
       mixture.push_back(level.gaussians);
     return progress(1);
