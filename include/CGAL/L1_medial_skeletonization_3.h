@@ -69,9 +69,14 @@ public:
   L1_medial_skeletonization_3(const L1_medial_skeletonization_3&) = delete;
   L1_medial_skeletonization_3& operator=(const L1_medial_skeletonization_3&) = delete;
 
+  // The stages refer to the points.
+  L1_medial_skeletonization_3(const L1_medial_skeletonization_3&) = delete;
+  L1_medial_skeletonization_3& operator=(const L1_medial_skeletonization_3&) = delete;
+
   /// Step 1: points to a Gaussian mixture. \returns `false` if the callback cancelled
   bool fit_mixture()
   {
+    steps_done_ = 0;
     if(!progress_(0) || !stages_->fit(points_, progress_.part(0, 0.2)))
       return false;
     steps_done_ = 1;
@@ -83,6 +88,7 @@ public:
   bool project()
   {
     CGAL_precondition(steps_done_ >= 1);
+    steps_done_ = 1;
     if(!stages_->project(progress_.part(0.2, 0.9)))
       return false;
     steps_done_ = 2;
@@ -94,6 +100,7 @@ public:
   bool link()
   {
     CGAL_precondition(steps_done_ >= 2);
+    steps_done_ = 2;
     if(!stages_->link(progress_.part(0.9, 1)))
       return false;
     steps_done_ = 3;

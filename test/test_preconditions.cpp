@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+// Programming mistakes are told from data: they violate preconditions, as everywhere in CGAL.
+
+#include "catch2.h"
+#include "shapes.h"
+
+#include <CGAL/L1_medial_skeletonization_3.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/assertions_behaviour.h>
+#include <CGAL/exceptions.h>
+
+#ifdef CGAL_NO_PRECONDITIONS
+#error "This test needs preconditions."
+#endif
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Skeletonization = CGAL::L1_medial_skeletonization_3<Kernel>;
+
+namespace {
+
+// The exception is enough: nothing is printed besides.
+void print_nothing(const char*, const char*, const char*, int, const char*) {}
+
+struct Silence
+{
+  CGAL::Failure_function before = CGAL::set_error_handler(print_nothing);
+  ~Silence() { CGAL::set_error_handler(before); }
+};
+
+} // namespace
+
+TEST_CASE("Steps out of order violate a precondition")
+{
+  const Silence silence;
+  Skeletonization steps(shapes::to_points<Kernel>(shapes::sample(shapes::cylinder(), 500, 43)));
+  Skeletonization::Skeleton skeleton(1);
+  CHECK_THROWS_AS(steps.project(), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(steps.link(), CGAL::Precondition_exception);
+  REQUIRE(steps.fit_mixture());
+  CHECK_THROWS_AS(steps.link(), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(steps.extract_skeleton(skeleton), CGAL::Precondition_exception);
+  REQUIRE(steps.project());
+  CHECK_THROWS_AS(steps.extract_skeleton(skeleton), CGAL::Precondition_exception);
+  CHECK(num_vertices(skeleton) == 1);
+  REQUIRE(steps.link());
+  CHECK_NOTHROW(steps.extract_skeleton(skeleton));
+}
+
+TEST_CASE("Repeating a step makes those after it out of date")
+{
+  const Silence silence;
+  Skeletonization steps(shapes::to_points<Kernel>(shapes::sample(shapes::cylinder(), 500, 47)));
+  Skeletonization::Skeleton skeleton;
+  REQUIRE(steps.run());
+  REQUIRE(steps.project());
+  CHECK_THROWS_AS(steps.extract_skeleton(skeleton), CGAL::Precondition_exception);
+  REQUIRE(steps.link());
+  CHECK_NOTHROW(steps.extract_skeleton(skeleton));
+  REQUIRE(steps.fit_mixture());
+  CHECK_THROWS_AS(steps.link(), CGAL::Precondition_exception);
+}
+
+TEST_CASE("Options out of their range violate a precondition")
+{
+  using namespace CGAL::Point_set_skeletonization_3::internal;
+  const Silence silence;
+  Published_projection_options published;
+  published.repulsion = 0.5;
+  CHECK_THROWS_AS(published.check(), CGAL::Precondition_exception);
+  Projection_options projection;
+  projection.kernel_ratio = 0;
+  CHECK_THROWS_AS(projection.check(), CGAL::Precondition_exception);
+  Grid_options grid;
+  grid.minimum_patches = grid.maximum_patches + 1;
+  CHECK_THROWS_AS(grid.check(), CGAL::Precondition_exception);
+}
