@@ -69,10 +69,6 @@ public:
   L1_medial_skeletonization_3(const L1_medial_skeletonization_3&) = delete;
   L1_medial_skeletonization_3& operator=(const L1_medial_skeletonization_3&) = delete;
 
-  // The stages refer to the points.
-  L1_medial_skeletonization_3(const L1_medial_skeletonization_3&) = delete;
-  L1_medial_skeletonization_3& operator=(const L1_medial_skeletonization_3&) = delete;
-
   /// Step 1: points to a Gaussian mixture. \returns `false` if the callback cancelled
   bool fit_mixture()
   {
