@@ -53,8 +53,8 @@ template <typename NamedParameters>
 Projection_options projection_options(const NamedParameters& np)
 {
   Projection_options options;
-  options.maximum_iterations = parameters::choose_parameter(
-    parameters::get_parameter(np, internal_np::number_of_iterations), options.maximum_iterations);
+  options.maximum_iterations = static_cast<std::size_t>(parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::number_of_iterations), options.maximum_iterations));
   return options;
 }
 
@@ -62,8 +62,8 @@ template <typename NamedParameters>
 Published_projection_options published_projection_options(const NamedParameters& np)
 {
   Published_projection_options options;
-  options.iterations = parameters::choose_parameter(
-    parameters::get_parameter(np, internal_np::number_of_iterations), options.iterations);
+  options.iterations = static_cast<std::size_t>(parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::number_of_iterations), options.iterations));
   return options;
 }
 
