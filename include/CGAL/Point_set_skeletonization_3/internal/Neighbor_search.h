@@ -88,7 +88,8 @@ public:
   Neighbor_search(const Neighbor_search&) = delete;
   Neighbor_search& operator=(const Neighbor_search&) = delete;
 
-  /// Writes the indices of all points within `radius` of `center` to `result`, ascending.
+  /// Writes the indices of all points closer than `radius` to `center` to `result`, ascending; those
+  /// at that very distance may be among them or not.
   void within(const Vector3& center, double radius, std::vector<std::size_t>& result) const
   {
     result.clear();

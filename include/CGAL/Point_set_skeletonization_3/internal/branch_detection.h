@@ -5,6 +5,7 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_BRANCH_DETECTION_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/gaussian_functions.h>
 
 #include <CGAL/assertions.h>
@@ -50,9 +51,6 @@ struct Branch_detection_options
     CGAL_precondition(d_max > 0);
   }
 };
-
-/// Indices of components, from end to end.
-using Branch = std::vector<std::size_t>;
 
 /// The angle at `b` between the segments to `a` and to `c`, in [0, pi]. A segment without length
 /// has no direction to turn away from and counts as straight on.

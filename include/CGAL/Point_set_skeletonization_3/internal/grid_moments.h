@@ -22,6 +22,7 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
+/// How fine the grid of the patches is.
 struct Grid_options
 {
   /// Points a patch should hold on average: fewer make its normal noise, more lose thin limbs.
@@ -42,7 +43,8 @@ struct Grid_options
   void check() const
   {
     CGAL_precondition(points_per_patch >= 1);
-    CGAL_precondition(minimum_patches >= 1 && minimum_patches <= maximum_patches);
+    // The eight cells around the origin stay apart however wide they are.
+    CGAL_precondition(minimum_patches >= 8 && minimum_patches <= maximum_patches);
   }
 };
 

@@ -14,10 +14,6 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The vertices of a branch in order, from end or junction to end or junction. A closed branch
-/// names its first vertex again at its end; a single vertex is an isolated one.
-using Branch = std::vector<std::size_t>;
-
 inline bool is_closed(const Branch& branch)
 {
   return branch.size() > 1 && branch.front() == branch.back();

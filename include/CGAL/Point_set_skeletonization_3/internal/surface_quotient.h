@@ -289,8 +289,8 @@ inline void close_loops(Skeleton_graph& graph, const std::vector<Skeleton_graph:
   graph.edges.insert(graph.edges.end(), loops.begin(), loops.end());
 }
 
-/// The surface quotient: the patches' adjacency carried over to where their samples went, with
-/// coinciding samples made one, reduced to a curve of the same homotopy type.
+/// The surface quotient: samples that coincide made one, connected where the solid connects them,
+/// reduced to a curve of the same homotopy type; what only the surface connects is joined last.
 inline Skeleton_graph surface_quotient(const Sample_groups& groups,
                                        const std::vector<Patch>& patches, const Solid_side& side)
 {
