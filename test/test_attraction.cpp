@@ -8,6 +8,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/attraction.h>
 #include <CGAL/Point_set_skeletonization_3/internal/kernel_growth.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <Eigen/Dense>
 
 #include <algorithm>
