@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef POINT_SET_SKELETONIZATION_3_TEST_GENERATOR_KNOWN_SHAPE_H
+#define POINT_SET_SKELETONIZATION_3_TEST_GENERATOR_KNOWN_SHAPE_H
+
+#include "Random.h"
+#include "Solid.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace shapes {
+
+/// A straight piece of a curve skeleton. A radius is the distance to the surface at an end.
+struct Axis_segment
+{
+  Vector a, b;
+  double radius_a, radius_b;
+};
+
+/// Where at least three pieces of the skeleton meet. Within the radius its course is ambiguous.
+struct Junction
+{
+  Vector position;
+  double radius;
+};
+
+/// A solid and its curve skeleton. Pieces of the axis are connected where their ends coincide.
+struct Known_shape
+{
+  std::string family;
+  unsigned seed = 0;
+  Solid solid;
+  std::vector<Axis_segment> axis;
+  std::vector<Junction> junctions;
+  std::size_t components = 1, cycles = 0, ends = 0; ///< Of the skeleton as a graph.
+};
+
+} // namespace shapes
+
+#endif // POINT_SET_SKELETONIZATION_3_TEST_GENERATOR_KNOWN_SHAPE_H
