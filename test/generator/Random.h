@@ -21,7 +21,9 @@ constexpr double full_turn = 6.28318530717958647692;
 class Random
 {
 public:
-  explicit Random(unsigned seed) : engine_(seed) {}
+  explicit Random(unsigned seed)
+      : engine_(seed)
+  {}
 
   /// In [0, 1).
   double uniform() { return static_cast<double>(engine_()) / 4294967296.0; }

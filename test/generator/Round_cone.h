@@ -12,13 +12,17 @@
 
 namespace shapes {
 
-/// The union of the balls along a segment whose radius changes linearly: a cone with two round caps.
+/// The union of the balls along a segment whose radius changes linearly: a cone with two round
+/// caps.
 class Round_cone
 {
 public:
   /// \throws std::invalid_argument if one of the two end balls lies in the other
   Round_cone(const Vector& a, const Vector& b, double radius_a, double radius_b)
-    : a_(a), b_(b), radius_a_(radius_a), radius_b_(radius_b)
+      : a_(a)
+      , b_(b)
+      , radius_a_(radius_a)
+      , radius_b_(radius_b)
   {
     length_ = (b - a).norm();
     if(length_ <= std::abs(radius_a - radius_b))

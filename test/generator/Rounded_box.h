@@ -19,7 +19,10 @@ public:
   /// \throws std::invalid_argument if the rounding is larger than a half extent
   Rounded_box(const Vector& centre, const Eigen::Matrix3d& axes, const Vector& half_extents,
               double rounding)
-    : centre_(centre), axes_(axes), core_(half_extents.array() - rounding), rounding_(rounding)
+      : centre_(centre)
+      , axes_(axes)
+      , core_(half_extents.array() - rounding)
+      , rounding_(rounding)
   {
     if(core_.minCoeff() < 0)
       throw std::invalid_argument("Rounded_box: too round");
@@ -40,12 +43,16 @@ public:
     const Vector place = 2 * random.uniform_vector().array() - 1;
     const Vector direction = random.direction();
     double part = random.uniform() * area();
-    for(int i = 0; i < 3; ++i, part -= face_areas()[i])
+    for(int i = 0; i < 3; ++i) {
       if(part < face_areas()[i])
         return on_surface(place, sign(direction[i]) * Vector::Unit(i));
-    for(int i = 0; i < 3; ++i, part -= edge_areas()[i])
+      part -= face_areas()[i];
+    }
+    for(int i = 0; i < 3; ++i) {
       if(part < edge_areas()[i])
         return on_surface(place, (direction - direction[i] * Vector::Unit(i)).normalized());
+      part -= edge_areas()[i];
+    }
     return on_surface(place, direction);
   }
 
@@ -76,7 +83,8 @@ private:
   /// The eight eighths of a ball.
   double corner_area() const { return 2 * full_turn * rounding_ * rounding_; }
 
-  /// Where the surface has this normal; `place` in [-1, 1]^3 chooses where the normal leaves it open.
+  /// Where the surface has this normal; `place` in [-1, 1]^3 chooses where the normal leaves it
+  /// open.
   Vector on_surface(const Vector& place, const Vector& normal) const
   {
     Vector p;

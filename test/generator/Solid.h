@@ -45,8 +45,8 @@ public:
       const double part = random.uniform() * total_area_;
       const auto chosen = std::upper_bound(areas_up_to_.begin(), areas_up_to_.end() - 1, part);
       const std::size_t i = static_cast<std::size_t>(chosen - areas_up_to_.begin());
-      const Vector p = std::visit([&](const auto& x) { return x.random_point(random); },
-                                  primitives_[i]);
+      const Vector p =
+          std::visit([&](const auto& x) { return x.random_point(random); }, primitives_[i]);
       if(!is_covered(p, i))
         return p;
     }
@@ -83,8 +83,7 @@ private:
   {
     constexpr double rounding_error = 1e-9; // the shapes have a size of about one
     for(std::size_t j = 0; j < primitives_.size(); ++j)
-      if(j != i &&
-         signed_distance(primitives_[j], p) < (j < i ? rounding_error : -rounding_error))
+      if(j != i && signed_distance(primitives_[j], p) < (j < i ? rounding_error : -rounding_error))
         return true;
     return false;
   }

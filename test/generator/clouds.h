@@ -15,7 +15,8 @@
 namespace shapes {
 
 /// What a scanner does to a surface.
-enum class Variant {
+enum class Variant
+{
   clean,              ///< Uniform by area.
   noise_half_percent, ///< Isotropic Gaussian noise, of the bounding box' diagonal.
   noise_one_percent,
@@ -27,20 +28,26 @@ enum class Variant {
 inline const std::vector<Variant>& all_variants()
 {
   static const std::vector<Variant> variants = {
-    Variant::clean,    Variant::noise_half_percent, Variant::noise_one_percent,
-    Variant::outliers, Variant::holes,              Variant::falling_density};
+      Variant::clean, Variant::noise_half_percent, Variant::noise_one_percent, Variant::outliers,
+      Variant::holes, Variant::falling_density};
   return variants;
 }
 
 inline const char* to_string(Variant variant)
 {
   switch(variant) {
-  case Variant::clean: return "clean";
-  case Variant::noise_half_percent: return "noise_half_percent";
-  case Variant::noise_one_percent: return "noise_one_percent";
-  case Variant::outliers: return "outliers";
-  case Variant::holes: return "holes";
-  case Variant::falling_density: return "falling_density";
+  case Variant::clean:
+    return "clean";
+  case Variant::noise_half_percent:
+    return "noise_half_percent";
+  case Variant::noise_one_percent:
+    return "noise_one_percent";
+  case Variant::outliers:
+    return "outliers";
+  case Variant::holes:
+    return "holes";
+  case Variant::falling_density:
+    return "falling_density";
   }
   return "";
 }
@@ -162,19 +169,25 @@ inline std::vector<Vector> sample_falling(const Known_shape& shape, std::size_t 
   return points;
 }
 
-/// A raw point cloud of the surface, with exactly the number of points asked for. The same arguments
-/// give the same cloud.
+/// A raw point cloud of the surface, with exactly the number of points asked for. The same
+/// arguments give the same cloud.
 inline std::vector<Vector> sample(const Known_shape& shape, Variant variant,
                                   std::size_t number_of_points, unsigned seed)
 {
   Random random(seed);
   switch(variant) {
-  case Variant::clean: break;
-  case Variant::noise_half_percent: return sample_noisy(shape, number_of_points, 0.005, random);
-  case Variant::noise_one_percent: return sample_noisy(shape, number_of_points, 0.01, random);
-  case Variant::outliers: return sample_with_outliers(shape, number_of_points, random);
-  case Variant::holes: return sample_with_holes(shape, number_of_points, random);
-  case Variant::falling_density: return sample_falling(shape, number_of_points, random);
+  case Variant::clean:
+    break;
+  case Variant::noise_half_percent:
+    return sample_noisy(shape, number_of_points, 0.005, random);
+  case Variant::noise_one_percent:
+    return sample_noisy(shape, number_of_points, 0.01, random);
+  case Variant::outliers:
+    return sample_with_outliers(shape, number_of_points, random);
+  case Variant::holes:
+    return sample_with_holes(shape, number_of_points, random);
+  case Variant::falling_density:
+    return sample_falling(shape, number_of_points, random);
   }
   return sample_clean(shape, number_of_points, random);
 }

@@ -27,15 +27,14 @@ using Limb = std::vector<Bead>;
 inline void add_axis(Known_shape& shape, const Limb& limb)
 {
   for(std::size_t i = 1; i < limb.size(); ++i)
-    shape.axis.push_back(
-      {limb[i - 1].centre, limb[i].centre, limb[i - 1].radius, limb[i].radius});
+    shape.axis.push_back({limb[i - 1].centre, limb[i].centre, limb[i - 1].radius, limb[i].radius});
 }
 
 inline void add_limb(Known_shape& shape, const Limb& limb)
 {
   for(std::size_t i = 1; i < limb.size(); ++i)
     shape.solid.add(
-      Round_cone(limb[i - 1].centre, limb[i].centre, limb[i - 1].radius, limb[i].radius));
+        Round_cone(limb[i - 1].centre, limb[i].centre, limb[i - 1].radius, limb[i].radius));
   add_axis(shape, limb);
 }
 

@@ -26,21 +26,21 @@ using Family = Known_shape (*)(Random&);
 inline const std::map<std::string, Family>& all()
 {
   static const std::map<std::string, Family> families = {
-    {"body_with_limbs", body_with_limbs},
-    {"chain_of_rings", chain_of_rings},
-    {"fat_torus", fat_torus},
-    {"frame", frame},
-    {"hand", hand},
-    {"helix", helix},
-    {"knot", knot},
-    {"letter", letter},
-    {"parallel_prongs", parallel_prongs},
-    {"plant", plant},
-    {"plate_with_handles", plate_with_handles},
-    {"ring", ring},
-    {"theta", theta},
-    {"two_parts", two_parts},
-    {"worm", worm},
+      {"body_with_limbs", body_with_limbs},
+      {"chain_of_rings", chain_of_rings},
+      {"fat_torus", fat_torus},
+      {"frame", frame},
+      {"hand", hand},
+      {"helix", helix},
+      {"knot", knot},
+      {"letter", letter},
+      {"parallel_prongs", parallel_prongs},
+      {"plant", plant},
+      {"plate_with_handles", plate_with_handles},
+      {"ring", ring},
+      {"theta", theta},
+      {"two_parts", two_parts},
+      {"worm", worm},
   };
   return families;
 }
@@ -62,10 +62,10 @@ inline const std::vector<std::string>& family_names()
 /// A shape of a family; the seed chooses its dimensions, angles, numbers of limbs and orientation.
 ///
 /// What the families keep to, so that no one would draw another skeleton, even with noise: a limb's
-/// radius is at least 2.5 % of the bounding box' diagonal; a limb with a free end sticks out of what
-/// it sits on by at least 2.5 times the radius of that; a loop's hole is at least 1.5 times as wide
-/// as the radius of the tube around it; and between limbs that do not meet there is a gap of at
-/// least the radius of the thinner.
+/// radius is at least 2.5 % of the bounding box' diagonal; a limb with a free end sticks out of
+/// what it sits on by at least 2.5 times the radius of that; a loop's hole is at least 1.5 times as
+/// wide as the radius of the tube around it; and between limbs that do not meet there is a gap of
+/// at least the radius of the thinner.
 ///
 /// \throws std::invalid_argument if there is no family of that name
 inline Known_shape known_shape(const std::string& family, unsigned seed)

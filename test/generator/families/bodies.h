@@ -66,7 +66,8 @@ inline Known_shape hand(Random& random)
   }
   const double thumb = finger * random.uniform(1, 1.2), tilt = random.uniform(0.4, 0.7);
   const Vector ball(half_width - thumb, -0.3 * half_length, 0);
-  const Vector thumb_tip = ball + random.uniform(0.75, 0.9) * Vector(std::cos(tilt), std::sin(tilt), 0);
+  const Vector thumb_tip =
+      ball + random.uniform(0.75, 0.9) * Vector(std::cos(tilt), std::sin(tilt), 0);
   add_axis(shape, {{Vector::Zero(), thickness}, {ball, thumb}});
   add_limb(shape, {{ball, thumb}, {thumb_tip, 0.9 * thumb}});
   const Vector arm = -(half_length + random.uniform(0.6, 0.9)) * Vector::UnitY();
@@ -124,7 +125,8 @@ inline Known_shape two_parts(Random& random)
   const Vector centre(0, 0, 2.5 * (radius + other_radius));
   const double phase = random.uniform();
   for(int i = 0; i < 3; ++i) {
-    const double length = random.uniform(0.8, 1.1), turns = phase + (i + random.uniform(-0.15, 0.15)) / 3;
+    const double length = random.uniform(0.8, 1.1),
+                 turns = phase + (i + random.uniform(-0.15, 0.15)) / 3;
     add_limb(shape, {{centre, other_radius}, {centre + length * on_circle(turns), other_radius}});
   }
   set_counts(shape, 2, 1, 3);

@@ -40,9 +40,8 @@ inline Known_shape helix(Random& random)
   const double pitch = radius * random.uniform(3.6, 5), narrowing = random.uniform(0, 0.3);
   const auto curve = [&](double t) {
     const double angle = full_turn * turns * t, size = 1 - narrowing * t;
-    return Bead{
-      Vector(size * std::cos(angle), size * std::sin(angle), pitch * turns * t),
-      radius * (1 - 0.2 * t)};
+    return Bead{Vector(size * std::cos(angle), size * std::sin(angle), pitch * turns * t),
+                radius * (1 - 0.2 * t)};
   };
   Known_shape shape;
   add_limb(shape, along(curve, static_cast<int>(40 * turns)));
@@ -141,8 +140,8 @@ inline Known_shape parallel_prongs(Random& random)
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
   for(std::size_t i = 1; i < places.size(); ++i)
-    add_limb(shape, {{Vector(places[i - 1], 0, 0), bar_radius},
-                     {Vector(places[i], 0, 0), bar_radius}});
+    add_limb(shape,
+             {{Vector(places[i - 1], 0, 0), bar_radius}, {Vector(places[i], 0, 0), bar_radius}});
   add_limb(shape, {{Vector::Zero(), bar_radius}, {Vector(0, -handle, 0), 1.2 * bar_radius}});
   set_counts(shape, 1, 0, static_cast<std::size_t>(prongs) + 1);
   return shape;
