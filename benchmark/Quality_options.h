@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef POINT_SET_SKELETONIZATION_3_BENCHMARK_QUALITY_OPTIONS_H
+#define POINT_SET_SKELETONIZATION_3_BENCHMARK_QUALITY_OPTIONS_H
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/// The command line of `quality`. What a command does not use keeps its default.
+struct Quality_options
+{
+  std::vector<std::string> families; ///< all if empty
+  std::vector<std::string> variants; ///< all if empty
+  unsigned int seeds = 5;            ///< shapes of every family, from seed 1 on
+
+  std::vector<std::string> files;
+  std::vector<double> noise = {0, 0.005, 0.01}; ///< standard deviations, in diagonals
+  bool mean_curvature_flow = false;
+
+  std::size_t points = 20000;
+  bool as_published = false;
+  std::size_t threads = 1; ///< clouds at a time
+  std::string csv;         ///< none if empty
+  std::string misses;      ///< folder for clouds whose skeleton is not exact; none if empty
+};
+
+#endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_QUALITY_OPTIONS_H

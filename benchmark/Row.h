@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef POINT_SET_SKELETONIZATION_3_BENCHMARK_ROW_H
+#define POINT_SET_SKELETONIZATION_3_BENCHMARK_ROW_H
+
+#include "Table.h"
+#include "graph_counts.h"
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
+
+/// What is known about a shape's skeleton.
+struct Truth
+{
+  std::optional<std::size_t> components, cycles, ends;
+};
+
+/// One skeleton and how good it is. What cannot be known of it is not measured.
+struct Row
+{
+  std::string shape;   ///< family, model or file
+  std::string seed;    ///< of the family
+  std::string variant; ///< of the cloud
+  std::string method;
+  std::size_t points = 0;
+  Truth truth;
+  Graph_counts got;
+  double axis_mean = not_measured, axis_maximum = not_measured; ///< local radii
+  double inside = not_measured;                                 ///< share of the length
+  double off_centre = not_measured;                             ///< median
+  std::size_t spurs = 0;
+  double unexplained = not_measured;                              ///< share of the points
+  double moved_mean = not_measured, moved_maximum = not_measured; ///< from the clean cloud's
+                                                                  ///< skeleton, diagonals
+  double seconds = not_measured;
+  std::string status = "ok"; ///< or what went wrong
+
+  bool components_exact() const { return is_exact(got.components, truth.components); }
+  bool cycles_exact() const { return is_exact(got.cycles, truth.cycles); }
+  bool ends_exact() const { return is_exact(got.ends, truth.ends); }
+  bool exact() const { return components_exact() && cycles_exact() && ends_exact(); }
+
+private:
+  bool is_exact(std::size_t value, const std::optional<std::size_t>& wanted) const
+  {
+    return status == "ok" && (!wanted || value == *wanted);
+  }
+};
+
+/// The columns that a table of rows may have.
+namespace columns {
+
+using Column = Table<Row>::Column;
+
+inline Column text(const std::string& name, std::size_t width, std::string Row::*member)
+{
+  return {name, width, [member](const Row& row) { return row.*member; }};
+}
+
+inline Column number(const std::string& name, double Row::*member, int digits)
+{
+  return {name, 5, [member, digits](const Row& row) { return fixed(row.*member, digits); }};
+}
+
+inline Column count(const std::string& name, std::size_t Graph_counts::*member)
+{
+  return {name, 4, [member](const Row& row) { return std::to_string(row.got.*member); }};
+}
+
+inline Column truth(const std::string& name, std::optional<std::size_t> Truth::*member)
+{
+  return {name, 4, [member](const Row& row) {
+            const std::optional<std::size_t>& value = row.truth.*member;
+            return value ? std::to_string(*value) : std::string("-");
+          }};
+}
+
+inline Column exact()
+{
+  return {"exact", 5, [](const Row& row) { return row.exact() ? "yes" : "NO"; }};
+}
+
+inline Column points()
+{
+  return {"points", 7, [](const Row& row) { return std::to_string(row.points); }};
+}
+
+inline Column spurs()
+{
+  return {"spurs", 5, [](const Row& row) { return std::to_string(row.spurs); }};
+}
+
+} // namespace columns
+
+#endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_ROW_H

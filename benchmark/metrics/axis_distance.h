@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef POINT_SET_SKELETONIZATION_3_BENCHMARK_METRICS_AXIS_DISTANCE_H
+#define POINT_SET_SKELETONIZATION_3_BENCHMARK_METRICS_AXIS_DISTANCE_H
+
+#include "Mean_and_maximum.h"
+#include "Segment_tree.h"
+#include "skeleton_samples.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <vector>
+
+namespace metrics {
+
+/// How far a skeleton is from the true axis of a shape, in local radii; NaN if all of it is at
+/// junctions.
+struct Axis_distance
+{
+  double mean;    ///< over the length of the skeleton
+  double maximum; ///< over the samples
+};
+
+namespace internal {
+
+/// Radii around a true junction within which the axis is a matter of taste.
+constexpr double junction_reach = 1.5;
+
+/// Samples in the smallest radius of the shape.
+constexpr double samples_per_radius = 4;
+
+template <typename Junctions>
+bool is_at_junction(const Point& p, const Junctions& junctions)
+{
+  for(const auto& junction : junctions) {
+    const double reach = junction_reach * junction.radius;
+    if(CGAL::squared_distance(p, to_point(junction.position)) <= reach * reach)
+      return true;
+  }
+  return false;
+}
+
+/// How many segments of the axis end at a point.
+template <typename Axis>
+std::map<Point, int> axis_degrees(const Axis& axis)
+{
+  std::map<Point, int> degrees;
+  for(const auto& piece : axis) {
+    ++degrees[to_point(piece.a)];
+    ++degrees[to_point(piece.b)];
+  }
+  return degrees;
+}
+
+/// A limb ends in a cap, and a skeleton may follow it up to the surface or stop at its centre: so
+/// that the axis counts as going straight on for one radius at its free ends.
+template <typename Axis>
+std::vector<Segment> axis_to_tips(const Axis& axis)
+{
+  const std::map<Point, int> degrees = axis_degrees(axis);
+  std::vector<Segment> segments;
+  for(const auto& piece : axis) {
+    Point a = to_point(piece.a), b = to_point(piece.b);
+    const double length = std::sqrt(CGAL::squared_distance(a, b));
+    const Vector along = length > 0 ? (b - a) / length : Vector(CGAL::NULL_VECTOR);
+    const bool a_is_free = degrees.at(a) == 1, b_is_free = degrees.at(b) == 1;
+    if(a_is_free)
+      a = a - piece.radius_a * along;
+    if(b_is_free)
+      b = b + piece.radius_b * along;
+    segments.emplace_back(a, b);
+  }
+  return segments;
+}
+
+} // namespace internal
+
+/// Distance of a skeleton to the true axis: every point of the skeleton that is not within 1.5
+/// radii of a true junction is as far off as the nearest place of the axis is away, divided by the
+/// radius there.
+///
+/// \param skeleton a BGL graph whose vertices bundle a `.point`
+/// \param axis a range of segments with ends `.a`, `.b` and the radii `.radius_a`, `.radius_b` > 0
+/// \param junctions a range of places with `.position` and `.radius`
+template <typename Skeleton, typename Axis, typename Junctions>
+Axis_distance axis_distance(const Skeleton& skeleton, const Axis& axis, const Junctions& junctions)
+{
+  std::vector<std::array<double, 2>> radii;
+  double least_radius = std::numeric_limits<double>::infinity();
+  for(const auto& piece : axis) {
+    radii.push_back({piece.radius_a, piece.radius_b});
+    least_radius = std::min({least_radius, piece.radius_a, piece.radius_b});
+  }
+  const Segment_tree tree(internal::axis_to_tips(axis));
+  Mean_and_maximum distances;
+  for(const Skeleton_sample& sample :
+      sample_skeleton(skeleton, least_radius / internal::samples_per_radius)) {
+    if(internal::is_at_junction(sample.point, junctions))
+      continue;
+    const Nearest nearest = tree.nearest(sample.point);
+    const auto& [a, b] = radii[nearest.segment];
+    distances.add(nearest.distance / (a + nearest.parameter * (b - a)), sample.length);
+  }
+  return {distances.mean(), distances.maximum()};
+}
+
+} // namespace metrics
+
+#endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_METRICS_AXIS_DISTANCE_H

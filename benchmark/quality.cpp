@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+// The regression command: how good the skeletons are, in one table. `quality --help` tells the
+// options.
+
+#include "Quality_options.h"
+#include "generated.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+
+namespace {
+
+void add_common_options(CLI::App& command, Quality_options& options)
+{
+  command.add_flag("--as-published", options.as_published,
+                   "also rows of the published method, for comparison");
+  command.add_option("--csv", options.csv, "also write the table as CSV")->type_name("FILE");
+  command
+      .add_option("--misses", options.misses, "write cloud and skeleton where the counts are wrong")
+      ->type_name("FOLDER");
+  command.add_option("--threads", options.threads, "clouds at a time [1]")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+}
+
+void add_points_option(CLI::App& command, Quality_options& options)
+{
+  command.add_option("--points", options.points, "points of a cloud [20000]")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000000));
+}
+
+CLI::App* add_generated(CLI::App& app, Quality_options& options)
+{
+  CLI::App* command = app.add_subcommand("generated", "shapes whose skeleton is known");
+  command->add_option("--families", options.families, "some only, a,b")->delimiter(',');
+  command->add_option("--variants", options.variants, "some only, a,b")->delimiter(',');
+  command->add_option("--seeds", options.seeds, "shapes of a family [5]")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000000));
+  add_points_option(*command, options);
+  add_common_options(*command, options);
+  return command;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  Quality_options options;
+  CLI::App app("How good skeletons are, in one table.", "quality");
+  app.require_subcommand(1);
+  const CLI::App* generated = add_generated(app, options);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    if(generated->parsed())
+      generated::run(options);
+    return EXIT_SUCCESS;
+  } catch(const std::exception& error) {
+    std::cerr << "quality: " << error.what() << std::endl;
+    return EXIT_FAILURE;
+  }
+}
