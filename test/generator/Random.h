@@ -22,7 +22,8 @@ class Random
 {
 public:
   explicit Random(unsigned seed)
-      : engine_(seed)
+      : seed_(seed)
+      , engine_(seed)
   {}
 
   /// In [0, 1).
@@ -34,6 +35,12 @@ public:
   int integer(int low, int high)
   {
     return low + static_cast<int>(uniform() * static_cast<double>(high - low + 1));
+  }
+
+  /// As `integer()`, but seeds that follow each other take turns: few are enough to see all kinds.
+  int in_turn(int low, int high) const
+  {
+    return low + static_cast<int>(seed_ % static_cast<unsigned>(high - low + 1));
   }
 
   /// Standard normal, after Box and Muller.
@@ -67,6 +74,7 @@ public:
   }
 
 private:
+  unsigned seed_;
   std::mt19937 engine_;
 };
 

@@ -78,7 +78,7 @@ inline Limb bent_limb(const Bead& begin, const Bead& end, const Vector& bend)
   return along_between(begin.centre, curve, end.centre, pieces);
 }
 
-/// A junction wherever at least three pieces of the axis meet.
+/// A junction wherever at least three pieces of the axis meet, except where the family has put one.
 inline void add_junctions(Known_shape& shape)
 {
   std::vector<std::pair<Junction, int>> nodes;
@@ -97,8 +97,12 @@ inline void add_junctions(Known_shape& shape)
     count(segment.a, segment.radius_a);
     count(segment.b, segment.radius_b);
   }
+  const auto is_known = [&](const Vector& position) {
+    return std::any_of(shape.junctions.begin(), shape.junctions.end(),
+                       [&](const Junction& junction) { return junction.position == position; });
+  };
   for(const auto& node : nodes)
-    if(node.second >= 3)
+    if(node.second >= 3 && !is_known(node.first.position))
       shape.junctions.push_back(node.first);
 }
 

@@ -8,6 +8,7 @@
 #include "../drawing.h"
 #include "loops.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -19,30 +20,34 @@ namespace families {
 /// An animal: a body with four to six legs, a head and a tail.
 inline Known_shape body_with_limbs(Random& random)
 {
-  const int legs = random.integer(4, 6);
-  const int stations = (legs + 1) / 2; // where pairs of legs leave the body
-  const double fat = random.uniform(0.42, 0.5), spacing = random.uniform(0.85, 1);
-  Limb body;
-  for(int i = 0; i < stations; ++i)
+  const int legs = random.in_turn(4, 6);
+  std::vector<double> leg_radii;
+  for(int i = 0; i < legs; ++i)
+    leg_radii.push_back(random.uniform(0.22, 0.36));
+  const double thickest = *std::max_element(leg_radii.begin(), leg_radii.end());
+  const double fat = random.uniform(0.45, 0.52), spacing = 3.2 * thickest;
+  Limb body; // a bead where each pair of legs leaves it
+  for(int i = 0; i < (legs + 1) / 2; ++i)
     body.push_back({Vector(spacing * i, 0, 0), fat * random.uniform(0.9, 1.05)});
   Known_shape shape;
   add_limb(shape, body);
   for(int i = 0; i < legs; ++i) {
-    const Bead& station = body[static_cast<std::size_t>(i / 2)];
-    const double spread = random.uniform(0.6, 0.9), side = i % 2 == 0 ? -1 : 1;
-    const Vector down(random.uniform(-0.1, 0.1), side * std::sin(spread), -std::cos(spread));
-    const double radius = random.uniform(0.17, 0.27), free_length = random.uniform(2.6, 3) * fat;
-    add_limb(shape, {{station.centre, radius},
-                     {station.centre + (fat + free_length) * down, 0.95 * radius}});
+    const Bead& hip = body[static_cast<std::size_t>(i / 2)];
+    const double radius = leg_radii[static_cast<std::size_t>(i)];
+    const double spread = random.uniform(0.7, 0.95), side = i % 2 == 0 ? -1 : 1;
+    const Vector down(0, side * std::sin(spread), -std::cos(spread));
+    const double length = fat * random.uniform(3.6, 4);
+    add_limb(shape, {{hip.centre, radius}, {hip.centre + length * down, 0.95 * radius}});
   }
-  const double neck_rise = random.uniform(0.4, 0.9), tail_rise = random.uniform(-0.1, 0.5);
-  const double neck = random.uniform(0.18, 0.22), head = random.uniform(0.27, 0.34);
+  const double neck_rise = random.uniform(0.4, 0.9), tail_rise = random.uniform(0, 0.6);
+  const double neck = random.uniform(0.21, 0.24), head = random.uniform(0.3, 0.36);
   const Vector forwards(std::cos(neck_rise), 0, std::sin(neck_rise));
-  const Vector chin = body.back().centre + (fat + 0.8) * forwards;
-  add_limb(shape, {{body.back().centre, neck}, {chin, neck}, {chin + 0.45 * forwards, head}});
+  const Vector throat = body.back().centre + (fat + 0.8) * forwards;
+  add_limb(shape, {{body.back().centre, neck}, {throat, neck}, {throat + 0.45 * forwards, head}});
   const Vector backwards(-std::cos(tail_rise), 0, std::sin(tail_rise));
-  const Bead tail_tip = {body.front().centre + fat * random.uniform(3.6, 4) * backwards, 0.15};
-  add_limb(shape, bent_limb({body.front().centre, 0.22}, tail_tip, Vector(0, 0, -0.1)));
+  const double tail = fat * random.uniform(3.6, 4);
+  const Bead tail_tip = {body.front().centre + tail * backwards, 0.2};
+  add_limb(shape, bent_limb({body.front().centre, 0.24}, tail_tip, Vector(0, 0, -0.1)));
   set_counts(shape, 1, 0, static_cast<std::size_t>(legs) + 2);
   return shape;
 }
@@ -50,46 +55,48 @@ inline Known_shape body_with_limbs(Random& random)
 /// A flat palm with four fingers, a thumb and a wrist.
 inline Known_shape hand(Random& random)
 {
-  const double thickness = random.uniform(0.15, 0.18), finger = random.uniform(0.1, 0.12);
+  const double thickness = random.uniform(0.15, 0.18), finger = random.uniform(0.11, 0.125);
   const double spacing = finger * random.uniform(3.1, 3.5);
   const double half_width = 1.5 * spacing + 1.1 * finger, half_length = random.uniform(0.5, 0.6);
+  const Bead palm = {Vector::Zero(), thickness};
   Known_shape shape;
-  shape.solid.add(Rounded_box(Vector::Zero(), Eigen::Matrix3d::Identity(),
+  shape.solid.add(Rounded_box(palm.centre, Eigen::Matrix3d::Identity(),
                               Vector(half_width, half_length, thickness), 0.9 * thickness));
+  const auto add_finger = [&](const Vector& knuckle, const Vector& tip, double radius) {
+    add_axis(shape, {palm, {knuckle, thickness}});
+    add_limb(shape, {{knuckle, radius}, {tip, 0.95 * radius}});
+  };
   for(int i = 0; i < 4; ++i) {
     const double place = i - 1.5, tilt = place * random.uniform(0.02, 0.1);
-    const Vector knuckle(place * spacing, half_length - finger, 0);
-    const double length = finger + random.uniform(0.65, 0.9);
-    const Vector tip = knuckle + length * Vector(std::sin(tilt), std::cos(tilt), 0);
-    add_axis(shape, {{Vector::Zero(), thickness}, {knuckle, finger}});
-    add_limb(shape, {{knuckle, finger}, {tip, 0.9 * finger}});
+    const Vector knuckle(place * spacing, half_length - thickness, 0);
+    const double length = thickness + random.uniform(0.7, 0.95);
+    const Vector along(std::sin(tilt), std::cos(tilt), 0);
+    add_finger(knuckle, knuckle + length * along, finger);
   }
   const double thumb = finger * random.uniform(1, 1.2), tilt = random.uniform(0.4, 0.7);
-  const Vector ball(half_width - thumb, -0.3 * half_length, 0);
-  const Vector thumb_tip =
-      ball + random.uniform(0.75, 0.9) * Vector(std::cos(tilt), std::sin(tilt), 0);
-  add_axis(shape, {{Vector::Zero(), thickness}, {ball, thumb}});
-  add_limb(shape, {{ball, thumb}, {thumb_tip, 0.9 * thumb}});
+  const Vector knuckle(half_width - thickness, -0.3 * half_length, 0);
+  const double length = thickness + random.uniform(0.65, 0.85);
+  add_finger(knuckle, knuckle + length * Vector(std::cos(tilt), std::sin(tilt), 0), thumb);
   const Vector arm = -(half_length + random.uniform(0.6, 0.9)) * Vector::UnitY();
-  add_limb(shape, {{Vector::Zero(), thickness}, {arm, 1.1 * thickness}});
-  shape.junctions.push_back({Vector::Zero(), half_width}); // the whole palm
+  add_limb(shape, {palm, {arm, 1.1 * thickness}});
+  shape.junctions.push_back({palm.centre, half_width}); // the whole palm
   set_counts(shape, 1, 0, 6);
   return shape;
 }
 
-/// Handles like a suitcase's, on any of the long sides of a bar.
+/// Handles like a suitcase's, above and below a bar.
 inline Known_shape plate_with_handles(Random& random)
 {
-  const int handles = random.integer(1, 3);
+  const int handles = random.in_turn(1, 3);
   const double thickness = random.uniform(0.2, 0.24), width = thickness * random.uniform(1.2, 1.8);
-  const double free_length = 3 * width, span = random.uniform(0.9, 1.1), gap = 0.7;
+  const double free_length = width + 2.6 * thickness, span = random.uniform(0.85, 1), gap = 0.65;
   const double length = 2 * free_length + handles * span + (handles - 1) * gap;
   Known_shape shape;
   shape.solid.add(Rounded_box(Vector(length / 2, 0, 0), Eigen::Matrix3d::Identity(),
                               Vector(length / 2, width, thickness), 0.9 * thickness));
-  Vector reached(width, 0, 0);
+  Limb midline = {{Vector(width, 0, 0), thickness}};
   for(int i = 0; i < handles; ++i) {
-    const double radius = random.uniform(0.14, 0.17), height = random.uniform(0.8, 1);
+    const double radius = random.uniform(0.175, 0.2), height = random.uniform(0.75, 0.95);
     const double side = random.integer(0, 1) == 0 ? -1 : 1;
     const Vector begin(free_length + i * (span + gap), 0, 0), end = begin + span * Vector::UnitX();
     const auto curve = [&](double t) {
@@ -98,10 +105,11 @@ inline Known_shape plate_with_handles(Random& random)
       return Bead{foot + side * (thickness + height) * on_arc.y() * Vector::UnitZ(), radius};
     };
     add_limb(shape, along_between(begin, curve, end, 32));
-    add_axis(shape, {{reached, thickness}, {begin, thickness}, {end, thickness}});
-    reached = end;
+    midline.push_back({begin, thickness});
+    midline.push_back({end, thickness});
   }
-  add_axis(shape, {{reached, thickness}, {Vector(length - width, 0, 0), thickness}});
+  midline.push_back({Vector(length - width, 0, 0), thickness});
+  add_axis(shape, midline);
   set_counts(shape, 1, static_cast<std::size_t>(handles), 2);
   return shape;
 }
@@ -113,7 +121,7 @@ inline Known_shape two_parts(Random& random)
   const double shift = random.uniform(0.9, 1.1);
   Known_shape shape;
   add_limb(shape, along_closed([&](double t) { return Bead{on_circle(t), radius}; }, 64));
-  if(random.integer(0, 1) == 0) {
+  if(random.in_turn(0, 1) == 0) {
     const auto upright = [&](double t) {
       const Vector p = on_circle(t);
       return Bead{Vector(shift + p.x(), 0, p.y()), other_radius};

@@ -59,9 +59,9 @@ inline void add_beam(Known_shape& shape, const Vector& a, const Vector& b, doubl
 inline Known_shape letter(Random& random)
 {
   const int last = static_cast<int>(letters().size()) - 1;
-  const Letter& chosen = letters()[static_cast<std::size_t>(random.integer(0, last))];
+  const Letter& chosen = letters()[static_cast<std::size_t>(random.in_turn(0, last))];
   const double width = random.uniform(0.95, 1.2), height = random.uniform(0.95, 1.2);
-  const double half_width = random.uniform(0.11, 0.16), aspect = random.uniform(0.8, 2);
+  const double half_width = random.uniform(0.12, 0.16), aspect = random.uniform(0.9, 2);
   const bool is_round = random.integer(0, 2) == 0;
   const auto place = [&](const Eigen::Vector2d& p) {
     return Vector(width * p.x(), height * p.y(), 0);

@@ -77,7 +77,7 @@ inline double distance_between_strands(const std::vector<Vector>& curve)
 inline Known_shape knot(Random& random)
 {
   constexpr std::array<std::pair<int, int>, 3> windings = {{{2, 3}, {3, 2}, {2, 5}}};
-  const auto chosen = windings[static_cast<std::size_t>(random.integer(0, 2))];
+  const auto chosen = windings[static_cast<std::size_t>(random.in_turn(0, 2))];
   const double tube = random.uniform(0.4, 0.5), height = random.uniform(1, 1.4);
   const auto centre = [&](double t) {
     const Vector out = on_circle(chosen.first * t), round = on_circle(chosen.second * t);
@@ -98,7 +98,7 @@ inline Known_shape knot(Random& random)
 /// Arcs between two poles, around the line that joins them.
 inline Known_shape theta(Random& random)
 {
-  const int number_of_arcs = random.integer(3, 5);
+  const int number_of_arcs = random.in_turn(3, 5);
   const double length = random.uniform(0.9, 1.4), phase = random.uniform();
   const Bead south = {Vector(-length, 0, 0), random.uniform(0.18, 0.24)};
   const Bead north = {Vector(length, 0, 0), random.uniform(0.18, 0.24)};
@@ -120,12 +120,12 @@ inline Known_shape theta(Random& random)
 /// Rings in a row, joined by bars, each turned about the row.
 inline Known_shape chain_of_rings(Random& random)
 {
-  const int number_of_rings = random.integer(3, 4);
-  const double radius = random.uniform(0.3, 0.4), bar = random.uniform(0.9, 1.3);
+  const int number_of_rings = random.in_turn(3, 4);
+  const double radius = random.uniform(0.36, 0.42), bar = random.uniform(1, 1.2);
   Known_shape shape;
   Vector begin = Vector::Zero();
   for(int i = 0; i < number_of_rings; ++i) {
-    const double length = random.uniform(0.95, 1.2), height = random.uniform(0.9, 1.1);
+    const double length = random.uniform(0.95, 1.1), height = random.uniform(0.9, 1.1);
     const Vector circle = on_circle(random.uniform()), up(0, circle.x(), circle.y());
     const Vector end = begin + 2 * length * Vector::UnitX();
     for(double side : {-1.0, 1.0}) {
@@ -155,15 +155,14 @@ inline void add_edges(Known_shape& shape, const Limb& corners,
 /// The edges of a prism over a regular polygon; of a box if that has four corners.
 inline Known_shape prism(Random& random)
 {
-  const int sides = random.integer(3, 5);
+  const int sides = random.in_turn(3, 5);
   const std::size_t n = static_cast<std::size_t>(sides);
-  const double side = random.uniform(1.1, 1.4), height = random.uniform(1.1, 1.6);
-  const double circumradius = side / (2 * std::sin(full_turn / (2 * sides)));
+  const double circumradius = random.uniform(0.85, 1.1), height = random.uniform(1.1, 1.5);
   Limb corners;
   for(int level = 0; level < 2; ++level)
     for(int i = 0; i < sides; ++i) {
       const Vector corner = circumradius * on_circle(static_cast<double>(i) / sides);
-      corners.push_back({corner + level * height * Vector::UnitZ(), random.uniform(0.11, 0.17)});
+      corners.push_back({corner + level * height * Vector::UnitZ(), random.uniform(0.14, 0.18)});
     }
   std::vector<std::pair<std::size_t, std::size_t>> edges;
   for(std::size_t i = 0; i < n; ++i) {
@@ -181,8 +180,8 @@ inline Known_shape prism(Random& random)
 inline Known_shape grid(Random& random)
 {
   const int columns = random.integer(2, 3), rows = random.integer(1, 3);
-  const double width = random.uniform(0.9, 1.2), height = random.uniform(0.9, 1.2);
-  const double radius = random.uniform(0.15, 0.2);
+  const double width = random.uniform(0.85, 1.05), height = random.uniform(0.85, 1.05);
+  const double radius = random.uniform(0.16, 0.2);
   const auto index = [&](int x, int y) { return static_cast<std::size_t>(y * (columns + 1) + x); };
   Limb corners;
   std::vector<std::pair<std::size_t, std::size_t>> edges;
@@ -202,7 +201,7 @@ inline Known_shape grid(Random& random)
 
 inline Known_shape frame(Random& random)
 {
-  return random.integer(0, 2) == 0 ? grid(random) : prism(random);
+  return random.in_turn(0, 3) == 3 ? grid(random) : prism(random);
 }
 
 } // namespace families

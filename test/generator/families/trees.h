@@ -36,7 +36,7 @@ inline Known_shape worm(Random& random)
 /// A spring, possibly narrower at one end.
 inline Known_shape helix(Random& random)
 {
-  const double turns = random.uniform(1.5, 3), radius = random.uniform(0.14, 0.2);
+  const double turns = random.uniform(1.5, 3), radius = random.uniform(0.15, 0.2);
   const double pitch = radius * random.uniform(3.6, 5), narrowing = random.uniform(0, 0.3);
   const auto curve = [&](double t) {
     const double angle = full_turn * turns * t, size = 1 - narrowing * t;
@@ -68,14 +68,14 @@ inline std::vector<Vector> fork(const Vector& direction, int size, double angle,
 inline void grow(std::vector<Limb>& limbs, const Bead& begin, const Vector& direction,
                  double length, int generations, Random& random)
 {
-  constexpr double taper = 0.8;
+  constexpr double taper = 0.85;
   const Bead end = {begin.centre + length * direction, taper * begin.radius};
   const Vector bend = 0.05 * length * random.direction();
   limbs.push_back(bent_limb(begin, end, bend));
   if(generations == 0)
     return;
   for(const Vector& child : fork(direction, random.integer(2, 3), 0.85, random)) {
-    const double child_length = random.uniform(1.1, 1.5);
+    const double child_length = random.uniform(1.1, 1.4);
     grow(limbs, end, child, child_length, generations - 1, random);
   }
 }
@@ -104,9 +104,9 @@ inline Known_shape plant(Random& random)
   std::vector<Limb> limbs;
   do {
     limbs.clear();
-    const Bead root = {Vector::Zero(), random.uniform(0.2, 0.26)};
+    const Bead root = {Vector::Zero(), random.uniform(0.3, 0.36)};
     const double height = random.uniform(1.2, 1.6);
-    grow(limbs, root, Vector::UnitZ(), height, random.integer(1, 2), random);
+    grow(limbs, root, Vector::UnitZ(), height, random.in_turn(1, 2), random);
   } while(!are_apart(limbs));
   Known_shape shape;
   for(const Limb& limb : limbs)
@@ -124,7 +124,7 @@ inline Known_shape plant(Random& random)
 /// A fork: prongs on a crossbar with a handle; the gaps are about as wide as a prong's radius.
 inline Known_shape parallel_prongs(Random& random)
 {
-  const int prongs = random.integer(2, 5);
+  const int prongs = random.in_turn(2, 5);
   const double radius = random.uniform(0.1, 0.13), spacing = radius * random.uniform(3.1, 3.8);
   const double bar_radius = radius * random.uniform(1, 1.2);
   const double length = random.uniform(0.9, 1.3), handle = random.uniform(0.9, 1.4);
