@@ -23,7 +23,7 @@ inline Known_shape body_with_limbs(Random& random)
   const int legs = random.in_turn(4, 6);
   std::vector<double> leg_radii;
   for(int i = 0; i < legs; ++i)
-    leg_radii.push_back(random.uniform(0.22, 0.36));
+    leg_radii.push_back(random.uniform(0.23, 0.36));
   const double thickest = *std::max_element(leg_radii.begin(), leg_radii.end());
   const double fat = random.uniform(0.45, 0.52), spacing = 3.2 * thickest;
   Limb body; // a bead where each pair of legs leaves it
@@ -46,7 +46,7 @@ inline Known_shape body_with_limbs(Random& random)
   add_limb(shape, {{body.back().centre, neck}, {throat, neck}, {throat + 0.45 * forwards, head}});
   const Vector backwards(-std::cos(tail_rise), 0, std::sin(tail_rise));
   const double tail = fat * random.uniform(3.6, 4);
-  const Bead tail_tip = {body.front().centre + tail * backwards, 0.2};
+  const Bead tail_tip = {body.front().centre + tail * backwards, 0.21};
   add_limb(shape, bent_limb({body.front().centre, 0.24}, tail_tip, Vector(0, 0, -0.1)));
   set_counts(shape, 1, 0, static_cast<std::size_t>(legs) + 2);
   return shape;

@@ -46,9 +46,12 @@ inline Known_shape ring(Random& random)
 /// About as thick as its hole is wide.
 inline Known_shape fat_torus(Random& random)
 {
-  const double radius = random.uniform(0.42, 0.56);
+  const double radius = random.uniform(0.42, 0.52), width = random.uniform(0.92, 1);
+  const auto curve = [&](double t) {
+    return Bead{on_circle(t).cwiseProduct(Vector(1, width, 0)), radius};
+  };
   Known_shape shape;
-  add_limb(shape, along_closed([&](double t) { return Bead{on_circle(t), radius}; }, 64));
+  add_limb(shape, along_closed(curve, 64));
   set_counts(shape, 1, 1, 0);
   return shape;
 }

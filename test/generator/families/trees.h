@@ -125,8 +125,7 @@ inline Known_shape plant(Random& random)
 inline Known_shape parallel_prongs(Random& random)
 {
   const int prongs = random.in_turn(2, 5);
-  const double radius = random.uniform(0.1, 0.13), spacing = radius * random.uniform(3.1, 3.8);
-  const double bar_radius = radius * random.uniform(1, 1.2);
+  const double radius = random.uniform(0.105, 0.13), spacing = radius * random.uniform(3.1, 3.8);
   const double length = random.uniform(0.9, 1.3), handle = random.uniform(0.9, 1.4);
   const double half_width = 0.5 * spacing * (prongs - 1);
   std::vector<double> places = {0}; // on the bar
@@ -135,14 +134,13 @@ inline Known_shape parallel_prongs(Random& random)
     const double x = 2 * i + 1 == prongs ? 0 : spacing * i - half_width;
     places.push_back(x);
     const Vector foot(x, 0, 0), tip(x, length * random.uniform(0.9, 1.1), 0);
-    add_limb(shape, {{foot, radius}, {tip, 0.9 * radius}});
+    add_limb(shape, {{foot, radius}, {tip, 0.95 * radius}});
   }
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
   for(std::size_t i = 1; i < places.size(); ++i)
-    add_limb(shape,
-             {{Vector(places[i - 1], 0, 0), bar_radius}, {Vector(places[i], 0, 0), bar_radius}});
-  add_limb(shape, {{Vector::Zero(), bar_radius}, {Vector(0, -handle, 0), 1.2 * bar_radius}});
+    add_limb(shape, {{Vector(places[i - 1], 0, 0), radius}, {Vector(places[i], 0, 0), radius}});
+  add_limb(shape, {{Vector::Zero(), radius}, {Vector(0, -handle, 0), 1.2 * radius}});
   set_counts(shape, 1, 0, static_cast<std::size_t>(prongs) + 1);
   return shape;
 }
