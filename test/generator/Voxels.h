@@ -15,7 +15,8 @@
 
 namespace shapes {
 
-/// A solid as the union of closed cubes: those whose centre is inside it or within an offset of it.
+/// A solid as the interior of a union of cubes: those whose centre is inside it or within an offset
+/// of it. The interior, for then gaps are open where empty cubes touch at a vertex.
 class Voxels
 {
 public:
@@ -73,7 +74,7 @@ private:
     }
   }
 
-  /// Of the cells whose largest vertex this is: vertices and squares less edges and cubes.
+  /// Of the cells whose largest vertex this is: cubes and edges less squares and vertices.
   long contribution(const Index& vertex) const
   {
     unsigned around = 0; // which of the eight cubes at the vertex are inside
@@ -84,18 +85,18 @@ private:
       return 0;
     long number = 0;
     for(unsigned directions = 0; directions < 8; ++directions)
-      if(is_covered(around, directions))
-        number += is_even(directions) ? 1 : -1;
+      if(is_inner(around, directions))
+        number += is_even(directions) ? -1 : 1;
     return number;
   }
 
-  /// Whether one of the cubes has the cell with these directions as a face.
-  static bool is_covered(unsigned around, unsigned directions)
+  /// Whether all cubes are inside that have the cell with these directions as a face.
+  static bool is_inner(unsigned around, unsigned directions)
   {
     for(unsigned step = 0; step < 8; ++step)
-      if((step & directions) == directions && (around >> step & 1) != 0)
-        return true;
-    return false;
+      if((step & directions) == directions && (around >> step & 1) == 0)
+        return false;
+    return true;
   }
 
   static bool is_even(unsigned directions)

@@ -58,6 +58,7 @@ inline Known_shape hand(Random& random)
   const double thickness = random.uniform(0.15, 0.18), finger = random.uniform(0.11, 0.125);
   const double spacing = finger * random.uniform(3.1, 3.5);
   const double half_width = 1.5 * spacing + 1.1 * finger, half_length = random.uniform(0.5, 0.6);
+  const double spread = random.uniform(0.02, 0.1);
   const Bead palm = {Vector::Zero(), thickness};
   Known_shape shape;
   shape.solid.add(Rounded_box(palm.centre, Eigen::Matrix3d::Identity(),
@@ -67,7 +68,7 @@ inline Known_shape hand(Random& random)
     add_limb(shape, {{knuckle, radius}, {tip, 0.95 * radius}});
   };
   for(int i = 0; i < 4; ++i) {
-    const double place = i - 1.5, tilt = place * random.uniform(0.02, 0.1);
+    const double place = i - 1.5, tilt = place * spread;
     const Vector knuckle(place * spacing, half_length - thickness, 0);
     const double length = thickness + random.uniform(0.7, 0.95);
     const Vector along(std::sin(tilt), std::cos(tilt), 0);
@@ -96,7 +97,7 @@ inline Known_shape plate_with_handles(Random& random)
                               Vector(length / 2, width, thickness), 0.9 * thickness));
   Limb midline = {{Vector(width, 0, 0), thickness}};
   for(int i = 0; i < handles; ++i) {
-    const double radius = random.uniform(0.175, 0.2), height = random.uniform(0.75, 0.95);
+    const double radius = random.uniform(0.18, 0.2), height = random.uniform(0.75, 0.95);
     const double side = random.integer(0, 1) == 0 ? -1 : 1;
     const Vector begin(free_length + i * (span + gap), 0, 0), end = begin + span * Vector::UnitX();
     const auto curve = [&](double t) {

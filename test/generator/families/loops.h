@@ -165,7 +165,7 @@ inline Known_shape prism(Random& random)
   for(int level = 0; level < 2; ++level)
     for(int i = 0; i < sides; ++i) {
       const Vector corner = circumradius * on_circle(static_cast<double>(i) / sides);
-      corners.push_back({corner + level * height * Vector::UnitZ(), random.uniform(0.14, 0.18)});
+      corners.push_back({corner + level * height * Vector::UnitZ(), random.uniform(0.145, 0.18)});
     }
   std::vector<std::pair<std::size_t, std::size_t>> edges;
   for(std::size_t i = 0; i < n; ++i) {
@@ -184,13 +184,13 @@ inline Known_shape grid(Random& random)
 {
   const int columns = random.integer(2, 3), rows = random.integer(1, 3);
   const double width = random.uniform(0.85, 1.05), height = random.uniform(0.85, 1.05);
-  const double radius = random.uniform(0.16, 0.2);
+  const double radius = random.uniform(0.17, 0.2);
   const auto index = [&](int x, int y) { return static_cast<std::size_t>(y * (columns + 1) + x); };
   Limb corners;
   std::vector<std::pair<std::size_t, std::size_t>> edges;
   for(int y = 0; y <= rows; ++y)
     for(int x = 0; x <= columns; ++x) {
-      corners.push_back({Vector(x * width, y * height, 0), radius * random.uniform(0.9, 1.1)});
+      corners.push_back({Vector(x * width, y * height, 0), radius * random.uniform(0.95, 1.05)});
       if(x > 0)
         edges.emplace_back(index(x - 1, y), index(x, y));
       if(y > 0)
