@@ -55,7 +55,7 @@ inline Known_shape body_with_limbs(Random& random)
 /// A flat palm with four fingers, a thumb and a wrist.
 inline Known_shape hand(Random& random)
 {
-  const double thickness = random.uniform(0.15, 0.18), finger = random.uniform(0.11, 0.125);
+  const double thickness = random.uniform(0.15, 0.18), finger = random.uniform(0.113, 0.125);
   const double spacing = finger * random.uniform(3.1, 3.5);
   const double half_width = 1.5 * spacing + 1.1 * finger, half_length = random.uniform(0.5, 0.6);
   const double spread = random.uniform(0.02, 0.1);
@@ -70,12 +70,12 @@ inline Known_shape hand(Random& random)
   for(int i = 0; i < 4; ++i) {
     const double place = i - 1.5, tilt = place * spread;
     const Vector knuckle(place * spacing, half_length - thickness, 0);
-    const double length = thickness + random.uniform(0.7, 0.95);
+    const double length = thickness + random.uniform(0.65, 0.85);
     const Vector along(std::sin(tilt), std::cos(tilt), 0);
     add_finger(knuckle, knuckle + length * along, finger);
   }
-  const double thumb = finger * random.uniform(1, 1.2), tilt = random.uniform(0.4, 0.7);
-  const Vector knuckle(half_width - thickness, -0.3 * half_length, 0);
+  const double thumb = finger * random.uniform(1, 1.2), tilt = random.uniform(0, 0.4);
+  const Vector knuckle(half_width - thickness, -0.4 * half_length, 0);
   const double length = thickness + random.uniform(0.65, 0.85);
   add_finger(knuckle, knuckle + length * Vector(std::cos(tilt), std::sin(tilt), 0), thumb);
   const Vector arm = -(half_length + random.uniform(0.6, 0.9)) * Vector::UnitY();
