@@ -6,14 +6,12 @@
 
 #include "Table.h"
 #include "graph_counts.h"
+#include "statistics.h"
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
-
-constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
 
 /// What is known about a shape's skeleton.
 struct Truth
@@ -41,15 +39,30 @@ struct Row
   double seconds = not_measured;
   std::string status = "ok"; ///< or what went wrong
 
-  bool components_exact() const { return is_exact(got.components, truth.components); }
-  bool cycles_exact() const { return is_exact(got.cycles, truth.cycles); }
-  bool ends_exact() const { return is_exact(got.ends, truth.ends); }
-  bool exact() const { return components_exact() && cycles_exact() && ends_exact(); }
+  /// Nothing if the truth is not known; false if something went wrong.
+  std::optional<bool> components_exact() const
+  {
+    return is_exact(got.components, truth.components);
+  }
+  std::optional<bool> cycles_exact() const { return is_exact(got.cycles, truth.cycles); }
+  std::optional<bool> ends_exact() const { return is_exact(got.ends, truth.ends); }
+
+  /// Whether all that is known is right.
+  std::optional<bool> exact() const
+  {
+    std::optional<bool> result;
+    for(const std::optional<bool>& part : {components_exact(), cycles_exact(), ends_exact()})
+      if(part)
+        result = *part && result.value_or(true);
+    return result;
+  }
 
 private:
-  bool is_exact(std::size_t value, const std::optional<std::size_t>& wanted) const
+  std::optional<bool> is_exact(std::size_t value, const std::optional<std::size_t>& wanted) const
   {
-    return status == "ok" && (!wanted || value == *wanted);
+    if(status != "ok")
+      return false;
+    return wanted ? std::optional<bool>(value == *wanted) : std::nullopt;
   }
 };
 
@@ -83,7 +96,8 @@ inline Column truth(const std::string& name, std::optional<std::size_t> Truth::*
 
 inline Column exact()
 {
-  return {"exact", 5, [](const Row& row) { return row.exact() ? "yes" : "NO"; }};
+  return {"exact", 5,
+          [](const Row& row) { return row.exact() ? *row.exact() ? "yes" : "NO" : "-"; }};
 }
 
 inline Column points()

@@ -5,27 +5,17 @@
 #define POINT_SET_SKELETONIZATION_3_BENCHMARK_SUMMARY_H
 
 #include "Row.h"
+#include "statistics.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <functional>
+#include <optional>
 #include <ostream>
 #include <string>
-#include <utility>
 #include <vector>
 
-/// The mean of the numbers that are one; NaN if there are none.
-inline double mean_of(const std::vector<double>& numbers)
-{
-  double sum = 0, count = 0;
-  for(const double number : numbers)
-    if(!std::isnan(number)) {
-      sum += number;
-      ++count;
-    }
-  return sum / count;
-}
+/// What a row says about itself.
+using Is_exact = std::optional<bool> (Row::*)() const;
 
 /// Rows that have something in common.
 struct Group
@@ -42,14 +32,14 @@ struct Group
     return result;
   }
 
-  double mean(double Row::*member) const { return mean_of(values(member)); }
-
-  /// In per cent.
-  double share(bool (Row::*is_exact)() const) const
+  /// In per cent of the rows of which it is known.
+  double share(Is_exact is_exact) const
   {
-    const auto exact = std::count_if(rows.begin(), rows.end(),
-                                     [is_exact](const Row& row) { return (row.*is_exact)(); });
-    return 100. * static_cast<double>(exact) / static_cast<double>(rows.size());
+    std::vector<double> known;
+    for(const Row& row : rows)
+      if((row.*is_exact)())
+        known.push_back(*(row.*is_exact)() ? 100 : 0);
+    return mean_of(known);
   }
 };
 
@@ -74,14 +64,36 @@ namespace columns {
 
 using Group_column = Table<Group>::Column;
 
-inline Group_column share(const std::string& name, bool (Row::*is_exact)() const)
+inline Group_column group_name()
+{
+  return {"group", 20, [](const Group& group) { return group.name; }};
+}
+
+inline Group_column group_method()
+{
+  return {"method", 9, [](const Group& group) { return group.method; }};
+}
+
+inline Group_column group_size()
+{
+  return {"clouds", 6, [](const Group& group) { return std::to_string(group.rows.size()); }};
+}
+
+inline Group_column share(const std::string& name, Is_exact is_exact)
 {
   return {name, 5, [is_exact](const Group& group) { return fixed(group.share(is_exact), 1); }};
 }
 
 inline Group_column mean(const std::string& name, double Row::*member, int digits)
 {
-  return {name, 5, [=](const Group& group) { return fixed(group.mean(member), digits); }};
+  return {name, 5,
+          [=](const Group& group) { return fixed(mean_of(group.values(member)), digits); }};
+}
+
+inline Group_column median(const std::string& name, double Row::*member, int digits)
+{
+  return {name, 5,
+          [=](const Group& group) { return fixed(median_of(group.values(member)), digits); }};
 }
 
 /// How many skeletons leave the shape somewhere.
@@ -105,32 +117,6 @@ inline Group_column total_spurs()
 
 } // namespace columns
 
-/// One line per group: shares of exact skeletons in per cent, and means of all else.
-inline void write_groups(std::ostream& out, const std::vector<Group>& groups)
-{
-  using namespace columns;
-  Table<Group> table(out,
-                     {{"mean of", 20, [](const Group& group) { return group.name; }},
-                      {"method", 9, [](const Group& group) { return group.method; }},
-                      {"clouds", 6, [](const Group& g) { return std::to_string(g.rows.size()); }},
-                      share("exact%", &Row::exact),
-                      share("comp%", &Row::components_exact),
-                      share("cycles%", &Row::cycles_exact),
-                      share("ends%", &Row::ends_exact),
-                      mean("axis", &Row::axis_mean, 3),
-                      mean("axis_max", &Row::axis_maximum, 2),
-                      mean("off_centre", &Row::off_centre, 3),
-                      mean("inside", &Row::inside, 4),
-                      outside(),
-                      total_spurs(),
-                      mean("unexplained", &Row::unexplained, 4),
-                      mean("moved", &Row::moved_mean, 4),
-                      mean("moved_max", &Row::moved_maximum, 4),
-                      mean("seconds", &Row::seconds, 2)});
-  for(const Group& group : groups)
-    table.add(group);
-}
-
 /// "ends 5 of 4" if that is wrong.
 inline std::string difference(const std::string& what, std::size_t got,
                               const std::optional<std::size_t>& wanted)
@@ -144,26 +130,13 @@ inline void write_misses(std::ostream& out, const std::vector<Row>& rows)
 {
   out << "\nmisses\n";
   for(const Row& row : rows)
-    if(!row.exact())
+    if(!row.exact().value_or(true))
       out << row.shape << ' ' << row.seed << ' ' << row.variant << ' ' << row.method
           << (row.status == "ok" ? "" : ", " + row.status)
           << difference("components", row.got.components, row.truth.components)
           << difference("cycles", row.got.cycles, row.truth.cycles)
           << difference("ends", row.got.ends, row.truth.ends) << '\n';
   out << std::flush;
-}
-
-/// Groups and misses of a finished table. \param keys what to group by, apart from everything
-inline void write_summary(std::ostream& out, const std::vector<Row>& rows,
-                          const std::vector<std::function<std::string(const Row&)>>& keys)
-{
-  for(const auto& key : keys) {
-    out << '\n';
-    write_groups(out, group_by(rows, key));
-  }
-  out << '\n';
-  write_groups(out, group_by(rows, [](const Row&) { return "all"; }));
-  write_misses(out, rows);
 }
 
 #endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_SUMMARY_H

@@ -16,6 +16,7 @@
 #include <CGAL/bounding_box.h>
 
 #include <cmath>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -25,6 +26,21 @@ inline double diagonal(const std::vector<Point>& points)
 {
   const auto box = CGAL::bounding_box(points.begin(), points.end());
   return std::sqrt(CGAL::squared_distance(box.min(), box.max()));
+}
+
+/// Without folder and extension.
+inline std::string name_of(const std::string& file)
+{
+  return std::filesystem::path(file).stem().string();
+}
+
+/// For a file that could not be read.
+inline Row failed_row(const std::string& file, const std::exception& error)
+{
+  Row row;
+  row.shape = name_of(file);
+  row.status = error.what();
+  return row;
 }
 
 /// Fills in what can be measured with nothing but the cloud.
@@ -55,10 +71,12 @@ inline void measure_stability(Row& row, const Skeleton& skeleton, const Skeleton
 inline void write_miss(const std::string& folder, const Row& row, const Skeleton& skeleton,
                        const std::vector<Point>& points)
 {
-  if(folder.empty() || row.exact())
+  if(folder.empty() || row.exact().value_or(true))
     return;
   std::filesystem::create_directories(folder);
-  const std::string name = folder + '/' + row.shape + '_' + row.seed + '_' + row.variant;
+  std::string name = folder + '/' + row.shape;
+  for(const std::string& part : {row.seed, row.variant})
+    name += part.empty() ? "" : '_' + part;
   std::ofstream cloud(name + ".xyz");
   cloud.precision(9);
   for(const Point& p : points)

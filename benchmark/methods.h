@@ -6,11 +6,8 @@
 
 #include <CGAL/Curve_skeleton_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Point_set_skeletonization_3/parameters.h>
 #include <CGAL/Real_timer.h>
-#include <CGAL/extract_l1_medial_skeleton.h>
 
-#include <cmath>
 #include <exception>
 #include <string>
 #include <vector>
@@ -28,15 +25,8 @@ struct Outcome
   std::string status = "ok"; ///< or what went wrong
 };
 
-inline bool has_finite_points(const Skeleton& skeleton)
-{
-  for(const auto v : CGAL::make_range(vertices(skeleton))) {
-    const Point& p = skeleton[v].point;
-    if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
-      return false;
-  }
-  return true;
-}
+/// Whether no coordinate of a vertex is infinite or NaN.
+bool has_finite_points(const Skeleton& skeleton);
 
 /// Times `make_skeleton` and keeps what it returns or throws.
 template <typename Make_skeleton>
@@ -60,19 +50,6 @@ Outcome run_method(const std::string& method, const Make_skeleton& make_skeleton
 }
 
 /// This package on a raw cloud, by default and, if wanted, as published.
-inline std::vector<Outcome> skeletonize(const std::vector<Point>& points, bool also_as_published)
-{
-  const auto extract = [&points](bool as_published) {
-    Skeleton skeleton;
-    CGAL::extract_l1_medial_skeleton(points, skeleton,
-                                     CGAL::parameters::as_published(as_published));
-    return skeleton;
-  };
-  std::vector<Outcome> outcomes;
-  outcomes.push_back(run_method("default", [&] { return extract(false); }));
-  if(also_as_published)
-    outcomes.push_back(run_method("published", [&] { return extract(true); }));
-  return outcomes;
-}
+std::vector<Outcome> skeletonize(const std::vector<Point>& points, bool also_as_published);
 
 #endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_METHODS_H

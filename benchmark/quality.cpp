@@ -5,7 +5,9 @@
 // options.
 
 #include "Quality_options.h"
+#include "clouds.h"
 #include "generated.h"
+#include "meshes.h"
 
 #include <CLI/CLI.hpp>
 
@@ -48,6 +50,29 @@ CLI::App* add_generated(CLI::App& app, Quality_options& options)
   return command;
 }
 
+CLI::App* add_meshes(CLI::App& app, Quality_options& options)
+{
+  CLI::App* command = app.add_subcommand("meshes", "points sampled on closed meshes");
+  command->add_option("FILES", options.files, "meshes; of a folder, CGAL's sample models")
+      ->required();
+  command->add_option("--noise", options.noise, "standard deviations, in diagonals [0,0.005,0.01]")
+      ->delimiter(',');
+  command->add_flag("--mcf", options.mean_curvature_flow,
+                    "also rows of CGAL's mean curvature flow on the mesh");
+  add_points_option(*command, options);
+  add_common_options(*command, options);
+  return command;
+}
+
+CLI::App* add_clouds(CLI::App& app, Quality_options& options)
+{
+  CLI::App* command = app.add_subcommand("clouds", "raw clouds");
+  command->add_option("FILES", options.files, "FILE, or FILE:COMPONENTS:CYCLES if they are known")
+      ->required();
+  add_common_options(*command, options);
+  return command;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -56,10 +81,16 @@ int main(int argc, char** argv)
   CLI::App app("How good skeletons are, in one table.", "quality");
   app.require_subcommand(1);
   const CLI::App* generated = add_generated(app, options);
+  const CLI::App* meshes = add_meshes(app, options);
+  const CLI::App* clouds = add_clouds(app, options);
   CLI11_PARSE(app, argc, argv);
   try {
     if(generated->parsed())
       generated::run(options);
+    if(meshes->parsed())
+      meshes::run(options);
+    if(clouds->parsed())
+      clouds::run(options);
     return EXIT_SUCCESS;
   } catch(const std::exception& error) {
     std::cerr << "quality: " << error.what() << std::endl;

@@ -44,6 +44,12 @@ struct Nearest
   double distance;     ///< infinite if there is no segment
   std::size_t segment; ///< its number
   double parameter;    ///< in [0, 1], from the source of the segment to its target
+
+  /// What is `at_source` and `at_target`, at the place.
+  double interpolate(double at_source, double at_target) const
+  {
+    return at_source + parameter * (at_target - at_source);
+  }
 };
 
 /// Finds the nearest of many segments, of which some may be points.

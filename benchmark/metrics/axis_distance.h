@@ -9,7 +9,6 @@
 #include "skeleton_samples.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -57,25 +56,31 @@ std::map<Point, int> axis_degrees(const Axis& axis)
   return degrees;
 }
 
+struct Axis_piece
+{
+  Segment segment;
+  double radius_source, radius_target;
+};
+
 /// A limb ends in a cap, and a skeleton may follow it up to the surface or stop at its centre: so
-/// that the axis counts as going straight on for one radius at its free ends.
+/// the axis goes straight on for one radius at its free ends.
 template <typename Axis>
-std::vector<Segment> axis_to_tips(const Axis& axis)
+std::vector<Axis_piece> axis_to_tips(const Axis& axis)
 {
   const std::map<Point, int> degrees = axis_degrees(axis);
-  std::vector<Segment> segments;
+  std::vector<Axis_piece> pieces;
   for(const auto& piece : axis) {
-    Point a = to_point(piece.a), b = to_point(piece.b);
-    const double length = std::sqrt(CGAL::squared_distance(a, b));
-    const Vector along = length > 0 ? (b - a) / length : Vector(CGAL::NULL_VECTOR);
-    const bool a_is_free = degrees.at(a) == 1, b_is_free = degrees.at(b) == 1;
-    if(a_is_free)
-      a = a - piece.radius_a * along;
-    if(b_is_free)
-      b = b + piece.radius_b * along;
-    segments.emplace_back(a, b);
+    const Point a = to_point(piece.a), b = to_point(piece.b);
+    pieces.push_back({Segment(a, b), piece.radius_a, piece.radius_b});
+    if(a == b)
+      continue;
+    const Vector along = (b - a) / std::sqrt(CGAL::squared_distance(a, b));
+    if(degrees.at(a) == 1)
+      pieces.push_back({Segment(a, a - piece.radius_a * along), piece.radius_a, piece.radius_a});
+    if(degrees.at(b) == 1)
+      pieces.push_back({Segment(b, b + piece.radius_b * along), piece.radius_b, piece.radius_b});
   }
-  return segments;
+  return pieces;
 }
 
 } // namespace internal
@@ -90,21 +95,23 @@ std::vector<Segment> axis_to_tips(const Axis& axis)
 template <typename Skeleton, typename Axis, typename Junctions>
 Axis_distance axis_distance(const Skeleton& skeleton, const Axis& axis, const Junctions& junctions)
 {
-  std::vector<std::array<double, 2>> radii;
+  const std::vector<internal::Axis_piece> pieces = internal::axis_to_tips(axis);
+  std::vector<Segment> segments;
   double least_radius = std::numeric_limits<double>::infinity();
-  for(const auto& piece : axis) {
-    radii.push_back({piece.radius_a, piece.radius_b});
-    least_radius = std::min({least_radius, piece.radius_a, piece.radius_b});
+  for(const internal::Axis_piece& piece : pieces) {
+    segments.push_back(piece.segment);
+    least_radius = std::min({least_radius, piece.radius_source, piece.radius_target});
   }
-  const Segment_tree tree(internal::axis_to_tips(axis));
+  const Segment_tree tree(segments);
   Mean_and_maximum distances;
   for(const Skeleton_sample& sample :
       sample_skeleton(skeleton, least_radius / internal::samples_per_radius)) {
     if(internal::is_at_junction(sample.point, junctions))
       continue;
     const Nearest nearest = tree.nearest(sample.point);
-    const auto& [a, b] = radii[nearest.segment];
-    distances.add(nearest.distance / (a + nearest.parameter * (b - a)), sample.length);
+    const internal::Axis_piece& piece = pieces[nearest.segment];
+    const double radius = nearest.interpolate(piece.radius_source, piece.radius_target);
+    distances.add(nearest.distance / radius, sample.length);
   }
   return {distances.mean(), distances.maximum()};
 }

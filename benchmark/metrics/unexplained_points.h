@@ -17,26 +17,24 @@ namespace metrics {
 ///
 /// \param points any range of points
 /// \param skeleton a BGL graph whose vertices bundle a `.point` and a `.radius`
-/// \param tolerance the radius is the least distance to the surface: at 0.5 the corners of a square
-///   section are explained, 0.41 beyond it, with a margin for noise
+/// \param tolerance the radius is the least distance to the surface; at 1, sections twice as wide
+/// as
+///   they are thick are explained, and so is noise of the size of the radius
 template <typename PointRange, typename Skeleton>
-double unexplained_points(const PointRange& points, const Skeleton& skeleton,
-                          double tolerance = 0.5)
+double unexplained_points(const PointRange& points, const Skeleton& skeleton, double tolerance = 1)
 {
   const auto ends = edge_ends(skeleton);
   const Segment_tree tree(edge_segments(skeleton));
+  const auto reach = [&](const Nearest& nearest) {
+    const auto& [a, b] = ends[nearest.segment];
+    return (1 + tolerance) * nearest.interpolate(skeleton[a].radius, skeleton[b].radius);
+  };
   std::size_t total = 0, unexplained = 0;
   for(const auto& p : points) {
-    ++total;
     const Nearest nearest = tree.nearest(to_point(p));
-    if(ends.empty()) {
+    ++total;
+    if(ends.empty() || nearest.distance > reach(nearest))
       ++unexplained;
-      continue;
-    }
-    const double a = skeleton[ends[nearest.segment].first].radius;
-    const double b = skeleton[ends[nearest.segment].second].radius;
-    const double radius = a + nearest.parameter * (b - a);
-    unexplained += nearest.distance > (1 + tolerance) * radius ? 1 : 0;
   }
   return static_cast<double>(unexplained) / static_cast<double>(total);
 }

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef POINT_SET_SKELETONIZATION_3_BENCHMARK_CLOSED_MESH_H
+#define POINT_SET_SKELETONIZATION_3_BENCHMARK_CLOSED_MESH_H
+
+#include "methods.h"
+#include "read_points.h"
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+using Mesh = CGAL::Surface_mesh<Point>;
+
+/// The triangle mesh of a file's faces. If they make no closed mesh as they are, equal points
+/// become one: then they may.
+inline Mesh to_triangle_mesh(Points_and_faces<Point> soup)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  const auto to_mesh = [&soup] {
+    Mesh mesh;
+    PMP::polygon_soup_to_polygon_mesh(soup.points, soup.faces, mesh);
+    PMP::triangulate_faces(mesh);
+    return mesh;
+  };
+  if(PMP::is_polygon_soup_a_polygon_mesh(soup.faces)) {
+    Mesh mesh = to_mesh();
+    if(CGAL::is_closed(mesh))
+      return mesh;
+  }
+  PMP::repair_polygon_soup(soup.points, soup.faces);
+  PMP::orient_polygon_soup(soup.points, soup.faces);
+  return to_mesh();
+}
+
+/// The connected components of a mesh.
+inline std::vector<Mesh> components_of(const Mesh& mesh)
+{
+  std::vector<Mesh> components;
+  CGAL::Polygon_mesh_processing::split_connected_components(mesh, components);
+  return components;
+}
+
+/// Number of handles of a closed surface with one component.
+inline std::size_t genus_of(const Mesh& component)
+{
+  const std::size_t characteristic_and_edges =
+      component.number_of_vertices() + component.number_of_faces();
+  return (2 + component.number_of_edges() - characteristic_and_edges) / 2;
+}
+
+#endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_CLOSED_MESH_H

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#include "clouds.h"
+
+#include "Report.h"
+#include "measure.h"
+#include "read_points.h"
+
+#include <cstddef>
+#include <exception>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+struct Cloud
+{
+  std::string file;
+  Truth truth;
+};
+
+/// From `FILE`, `FILE:COMPONENTS` or `FILE:COMPONENTS:CYCLES`. \throw std::runtime_error
+Cloud parse(const std::string& argument)
+{
+  Cloud cloud;
+  std::istringstream in(argument);
+  std::getline(in, cloud.file, ':');
+  char colon;
+  std::size_t components, cycles;
+  if(in >> components)
+    cloud.truth.components = components;
+  if(in >> colon >> cycles)
+    cloud.truth.cycles = cycles;
+  if(!in.eof())
+    throw std::runtime_error("'" + argument + "' is not FILE:COMPONENTS:CYCLES");
+  return cloud;
+}
+
+std::vector<Row> rows_of(const Cloud& cloud, const Quality_options& options)
+{
+  try {
+    const std::vector<Point> points = read_points<Point>(cloud.file);
+    std::vector<Row> rows;
+    for(const Outcome& outcome : skeletonize(points, options.as_published)) {
+      Row row;
+      row.shape = name_of(cloud.file);
+      row.truth = cloud.truth;
+      measure(row, outcome, points);
+      write_miss(options.misses, row, outcome.skeleton, points);
+      rows.push_back(row);
+    }
+    return rows;
+  } catch(const std::exception& error) {
+    return {failed_row(cloud.file, error)};
+  }
+}
+
+Layout layout()
+{
+  using namespace columns;
+  return {{text("cloud", 20, &Row::shape), points(), text("method", 9, &Row::method), exact(),
+           count("comp", &Graph_counts::components), truth("true", &Truth::components),
+           count("cycles", &Graph_counts::cycles), truth("true", &Truth::cycles),
+           count("ends", &Graph_counts::ends), count("junctions", &Graph_counts::junctions),
+           spurs(), number("unexplained", &Row::unexplained, 4),
+           number("seconds", &Row::seconds, 2), text("status", 2, &Row::status)},
+          {group_name(), group_method(), group_size(), share("exact%", &Row::exact),
+           share("comp%", &Row::components_exact), share("cycles%", &Row::cycles_exact),
+           total_spurs(), mean("unexplained", &Row::unexplained, 4),
+           mean("seconds", &Row::seconds, 2)},
+          {}};
+}
+
+} // namespace
+
+void clouds::run(const Quality_options& options)
+{
+  std::vector<Cloud> clouds;
+  for(const std::string& argument : options.files)
+    clouds.push_back(parse(argument));
+  const auto work = [&](std::size_t job) { return rows_of(clouds[job], options); };
+  report(options, clouds.size(), work, layout());
+}

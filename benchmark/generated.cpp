@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#include "generated.h"
+
+#include "Report.h"
+#include "axis_distance.h"
+#include "inside_share.h"
+#include "measure.h"
+
+#include "generator/clouds.h"
+#include "generator/families.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+std::vector<Point> to_points(const std::vector<shapes::Vector>& vectors)
+{
+  std::vector<Point> points;
+  for(const shapes::Vector& v : vectors)
+    points.emplace_back(v.x(), v.y(), v.z());
+  return points;
+}
+
+/// Half of the length of its axis' shortest radius is the step at which the inside is asked for.
+double least_radius(const shapes::Known_shape& shape)
+{
+  double radius = shape.axis.front().radius_a;
+  for(const shapes::Axis_segment& piece : shape.axis)
+    radius = std::min({radius, piece.radius_a, piece.radius_b});
+  return radius;
+}
+
+/// Fills in what can be measured because the shape is known.
+void measure_shape(Row& row, const Skeleton& skeleton, const shapes::Known_shape& shape)
+{
+  row.truth = {shape.components, shape.cycles, shape.ends};
+  const auto distance = metrics::axis_distance(skeleton, shape.axis, shape.junctions);
+  row.axis_mean = distance.mean;
+  row.axis_maximum = distance.maximum;
+  const auto inside = [&shape](const metrics::Point& p) {
+    return shape.solid.signed_distance({p.x(), p.y(), p.z()}) <= 0;
+  };
+  constexpr double step = 0.2; // least radii
+  row.inside = metrics::inside_share(skeleton, inside, step * least_radius(shape));
+}
+
+/// The rows of one shape: its variants, each by every method.
+std::vector<Row> rows_of(const shapes::Known_shape& shape,
+                         const std::vector<shapes::Variant>& variants,
+                         const Quality_options& options)
+{
+  std::vector<Row> rows;
+  std::map<std::string, Skeleton> clean; // by method
+  for(const shapes::Variant variant : variants) {
+    const std::vector<Point> points =
+        to_points(shapes::sample(shape, variant, options.points, shape.seed));
+    for(const Outcome& outcome : skeletonize(points, options.as_published)) {
+      Row row;
+      row.shape = shape.family;
+      row.seed = std::to_string(shape.seed);
+      row.variant = shapes::to_string(variant);
+      measure(row, outcome, points);
+      measure_shape(row, outcome.skeleton, shape);
+      if(variant == shapes::Variant::clean)
+        clean[outcome.method] = outcome.skeleton;
+      else
+        measure_stability(row, outcome.skeleton, clean[outcome.method], diagonal(points));
+      write_miss(options.misses, row, outcome.skeleton, points);
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+/// \throw std::runtime_error if a name is not known
+std::vector<std::string> chosen_families(const Quality_options& options)
+{
+  const std::vector<std::string>& all = shapes::family_names();
+  for(const std::string& name : options.families)
+    if(std::find(all.begin(), all.end(), name) == all.end())
+      throw std::runtime_error("there is no family '" + name + "'");
+  return options.families.empty() ? all : options.families;
+}
+
+/// \throw std::runtime_error if a name is not known
+std::vector<shapes::Variant> chosen_variants(const Quality_options& options)
+{
+  if(options.variants.empty())
+    return shapes::all_variants();
+  std::vector<shapes::Variant> variants;
+  for(const std::string& name : options.variants) {
+    const auto found =
+        std::find_if(shapes::all_variants().begin(), shapes::all_variants().end(),
+                     [&name](shapes::Variant v) { return shapes::to_string(v) == name; });
+    if(found == shapes::all_variants().end())
+      throw std::runtime_error("there is no variant '" + name + "'");
+    variants.push_back(*found);
+  }
+  return variants;
+}
+
+Layout layout()
+{
+  using namespace columns;
+  return {{text("family", 16, &Row::shape),
+           text("seed", 4, &Row::seed),
+           text("variant", 18, &Row::variant),
+           text("method", 9, &Row::method),
+           exact(),
+           count("comp", &Graph_counts::components),
+           truth("true", &Truth::components),
+           count("cycles", &Graph_counts::cycles),
+           truth("true", &Truth::cycles),
+           count("ends", &Graph_counts::ends),
+           truth("true", &Truth::ends),
+           count("junctions", &Graph_counts::junctions),
+           number("axis", &Row::axis_mean, 3),
+           number("axis_max", &Row::axis_maximum, 2),
+           number("inside", &Row::inside, 4),
+           spurs(),
+           number("unexplained", &Row::unexplained, 4),
+           number("moved", &Row::moved_mean, 4),
+           number("moved_max", &Row::moved_maximum, 4),
+           number("seconds", &Row::seconds, 2),
+           text("status", 2, &Row::status)},
+          {group_name(), group_method(), group_size(), share("exact%", &Row::exact),
+           share("comp%", &Row::components_exact), share("cycles%", &Row::cycles_exact),
+           share("ends%", &Row::ends_exact), mean("axis", &Row::axis_mean, 3),
+           mean("axis_max", &Row::axis_maximum, 2), mean("inside", &Row::inside, 4), outside(),
+           total_spurs(), mean("unexplained", &Row::unexplained, 4),
+           mean("moved", &Row::moved_mean, 4), mean("moved_max", &Row::moved_maximum, 4),
+           mean("seconds", &Row::seconds, 2)},
+          {[](const Row& row) { return row.shape; }, [](const Row& row) { return row.variant; }}};
+}
+
+} // namespace
+
+void generated::run(const Quality_options& options)
+{
+  const std::vector<std::string> families = chosen_families(options);
+  const std::vector<shapes::Variant> variants = chosen_variants(options);
+  const auto work = [&](std::size_t job) {
+    const auto seed = static_cast<unsigned int>(job % options.seeds) + 1;
+    return rows_of(shapes::known_shape(families[job / options.seeds], seed), variants, options);
+  };
+  report(options, families.size() * options.seeds, work, layout());
+}

@@ -1,0 +1,201 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#include "meshes.h"
+
+#include "Closed_mesh.h"
+#include "Report.h"
+#include "inside_share.h"
+#include "mean_curvature_flow.h"
+#include "measure.h"
+#include "nearest_point_radii.h"
+#include "off_centre.h"
+#include "sample_surface.h"
+
+#include "generator/Random.h"
+
+#include <CGAL/Side_of_triangle_mesh.h>
+
+#include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+/// Closed models among CGAL's sample data, with limbs, loops, or both.
+const std::vector<std::string>& sample_models()
+{
+  static const std::vector<std::string> models = {
+      "anchor",     "armadillo", "bear",     "bull", "cactus",  "camel", "cow",         "dino",
+      "diplodocus", "eight",     "elephant", "elk",  "hand",    "homer", "joint",       "knot",
+      "knot1",      "knot2",     "man",      "pipe", "retinal", "rotor", "triceratops", "tripod"};
+  return models;
+}
+
+/// Files as they are; of a folder, the sample models.
+std::vector<std::string> chosen_files(const Quality_options& options)
+{
+  std::vector<std::string> files;
+  for(const std::string& file : options.files)
+    if(std::filesystem::is_directory(file))
+      for(const std::string& model : sample_models())
+        files.push_back(file + '/' + model + ".off");
+    else
+      files.push_back(file);
+  return files;
+}
+
+/// A mesh, points of its surface, and what is true about its skeleton.
+struct Model
+{
+  std::string name;
+  Mesh mesh;
+  std::vector<Mesh> components;
+  bool is_closed = true;
+  double diagonal = 0;
+  std::vector<Point> points;
+  Truth truth;
+};
+
+/// \throw std::runtime_error
+Model read_model(const std::string& file, std::size_t number_of_points)
+{
+  const Points_and_faces<Point> soup = read_points_and_faces<Point>(file);
+  Model model;
+  model.name = name_of(file);
+  model.points = sample_surface(soup, number_of_points, 0);
+  if(model.points.empty())
+    throw std::runtime_error("it has no faces");
+  model.mesh = to_triangle_mesh(soup);
+  model.components = components_of(model.mesh);
+  model.is_closed = CGAL::is_closed(model.mesh);
+  model.diagonal = diagonal(soup.points);
+  model.truth.components = model.components.size();
+  if(model.is_closed) {
+    model.truth.cycles = 0;
+    for(const Mesh& component : model.components)
+      *model.truth.cycles += genus_of(component);
+  }
+  return model;
+}
+
+/// Isotropic Gaussian noise.
+std::vector<Point> with_noise(std::vector<Point> points, double deviation)
+{
+  shapes::Random random(1);
+  for(Point& p : points) {
+    const shapes::Vector offset = deviation * random.normal_vector();
+    p += Kernel::Vector_3(offset.x(), offset.y(), offset.z());
+  }
+  return points;
+}
+
+/// Fills in what can be measured because there is a closed mesh.
+void measure_shape(Row& row, const Skeleton& skeleton, const Model& model)
+{
+  const double step = 0.005 * model.diagonal;
+  row.truth = model.truth;
+  if(!model.is_closed) {
+    row.status = row.status == "ok" ? "mesh is open" : row.status;
+    return;
+  }
+  const CGAL::Side_of_triangle_mesh<Mesh, Kernel> side(model.mesh);
+  const auto inside = [&side](const metrics::Point& p) {
+    return side({p.x(), p.y(), p.z()}) != CGAL::ON_UNBOUNDED_SIDE;
+  };
+  row.inside = metrics::inside_share(skeleton, inside, step);
+  row.off_centre = median_of(metrics::off_centre_ratios(skeleton, model.mesh, step));
+}
+
+Row row_of(const Model& model, const std::string& variant, const Outcome& outcome,
+           const std::vector<Point>& points, const Quality_options& options)
+{
+  Row row;
+  row.shape = model.name;
+  row.variant = variant;
+  measure(row, outcome, points);
+  measure_shape(row, outcome.skeleton, model);
+  write_miss(options.misses, row, outcome.skeleton, points);
+  return row;
+}
+
+/// The rows of the clouds of a model.
+void add_cloud_rows(const Model& model, const Quality_options& options, std::vector<Row>& rows)
+{
+  std::map<std::string, Skeleton> clean; // by method
+  for(const double noise : options.noise) {
+    const std::vector<Point> points = with_noise(model.points, noise * model.diagonal);
+    for(const Outcome& outcome : skeletonize(points, options.as_published)) {
+      Row row = row_of(model, "noise " + fixed(noise, 3), outcome, points, options);
+      if(noise > 0)
+        measure_stability(row, outcome.skeleton, clean[outcome.method], model.diagonal);
+      else
+        clean[outcome.method] = outcome.skeleton;
+      rows.push_back(row);
+    }
+  }
+}
+
+/// The rows of a model's mesh: as it is, and remeshed, as the coarse ones need it.
+void add_mesh_rows(const Model& model, const Quality_options& options, std::vector<Row>& rows)
+{
+  constexpr double edge_length = 0.01; // diagonals; some 20 000 vertices
+  const auto add = [&](const std::string& variant, const std::vector<Mesh>& components) {
+    Outcome outcome = run_method("MCF", [&] {
+      if(!model.is_closed)
+        throw std::runtime_error("mesh is open");
+      return mean_curvature_flow_skeleton(components);
+    });
+    metrics::set_nearest_point_radii(outcome.skeleton, model.points);
+    rows.push_back(row_of(model, variant, outcome, model.points, options));
+  };
+  add("mesh", model.components);
+  add("fine mesh", remesh(model.components, edge_length * model.diagonal));
+}
+
+std::vector<Row> rows_of(const std::string& file, const Quality_options& options)
+{
+  try {
+    const Model model = read_model(file, options.points);
+    std::vector<Row> rows;
+    add_cloud_rows(model, options, rows);
+    if(options.mean_curvature_flow)
+      add_mesh_rows(model, options, rows);
+    return rows;
+  } catch(const std::exception& error) {
+    return {failed_row(file, error)};
+  }
+}
+
+Layout layout()
+{
+  using namespace columns;
+  return {{text("model", 16, &Row::shape), text("variant", 11, &Row::variant),
+           text("method", 9, &Row::method), exact(), count("comp", &Graph_counts::components),
+           truth("true", &Truth::components), count("cycles", &Graph_counts::cycles),
+           truth("true", &Truth::cycles), count("ends", &Graph_counts::ends),
+           count("junctions", &Graph_counts::junctions), number("off_centre", &Row::off_centre, 3),
+           number("inside", &Row::inside, 4), spurs(), number("unexplained", &Row::unexplained, 4),
+           number("moved", &Row::moved_mean, 4), number("moved_max", &Row::moved_maximum, 4),
+           number("seconds", &Row::seconds, 2), text("status", 2, &Row::status)},
+          {group_name(), group_method(), group_size(), share("exact%", &Row::exact),
+           share("comp%", &Row::components_exact), share("cycles%", &Row::cycles_exact),
+           median("off_centre", &Row::off_centre, 3), mean("inside", &Row::inside, 4), outside(),
+           total_spurs(), mean("unexplained", &Row::unexplained, 4),
+           mean("moved", &Row::moved_mean, 4), mean("moved_max", &Row::moved_maximum, 4),
+           mean("seconds", &Row::seconds, 2)},
+          {[](const Row& row) { return row.variant; }}};
+}
+
+} // namespace
+
+void meshes::run(const Quality_options& options)
+{
+  const std::vector<std::string> files = chosen_files(options);
+  const auto work = [&](std::size_t job) { return rows_of(files[job], options); };
+  report(options, files.size(), work, layout());
+}

@@ -1,0 +1,17 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef POINT_SET_SKELETONIZATION_3_BENCHMARK_MESHES_H
+#define POINT_SET_SKELETONIZATION_3_BENCHMARK_MESHES_H
+
+#include "Quality_options.h"
+
+/// `quality meshes`: points sampled on closed meshes, beside a method that gets the meshes.
+namespace meshes {
+
+/// Prints the table and its summary. \throw std::runtime_error
+void run(const Quality_options& options);
+
+} // namespace meshes
+
+#endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_MESHES_H
