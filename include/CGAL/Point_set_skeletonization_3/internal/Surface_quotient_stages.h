@@ -7,6 +7,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Skeletonization_stages.h>
 #include <CGAL/Point_set_skeletonization_3/internal/grid_moments.h>
+#include <CGAL/Point_set_skeletonization_3/internal/local_separators.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial_balls.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial_projection.h>
 #include <CGAL/Point_set_skeletonization_3/internal/oriented_mixture.h>
@@ -15,8 +16,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/patch_orientation.h>
 #include <CGAL/Point_set_skeletonization_3/internal/skeleton_pruning.h>
 #include <CGAL/Point_set_skeletonization_3/internal/skeleton_refinement.h>
-#include <CGAL/Point_set_skeletonization_3/internal/solid_side.h>
 #include <CGAL/Point_set_skeletonization_3/internal/stray_components.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface_consolidation.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/winding_number.h>
 
@@ -40,7 +41,6 @@ public:
     orient_patches(patches);
     settle_orientation<ConcurrencyTag>(patches);
     confidence = orientation_confidence(patches);
-    side = std::make_unique<Solid_side>(patches, confidence, spacing);
 
     // A patch of a few points is thinner than the surface is known; a tenth of the spacing is not.
     const Matrix3 blur = 0.01 * spacing * spacing * Matrix3::Identity();
@@ -59,7 +59,6 @@ public:
   std::vector<Patch> patches;
   double spacing;
   std::vector<double> confidence;
-  std::unique_ptr<Solid_side> side;
   std::unique_ptr<Oriented_mixture> mixture;
 };
 
@@ -74,7 +73,7 @@ Projection_outcome project_patches(const Oriented_surface<ConcurrencyTag>& surfa
   samples = medial_samples(surface.patches, surface.confidence, balls, options);
   const Projection_outcome outcome =
     project_samples<ConcurrencyTag>(samples, *surface.mixture, options, progress);
-  bring_back_lost_samples(samples, surface.patches);
+  bring_back_lost_samples(samples, surface.patches, surface.confidence);
   return outcome;
 }
 
@@ -100,7 +99,7 @@ public:
   {
     if(mixture.empty())
       return progress(1);
-    surface_ = std::make_unique<Oriented_surface<ConcurrencyTag>>(mixture.front());
+    consolidate();
     if(!progress(0.2))
       return false;
     outcome = project_patches<ConcurrencyTag>(*surface_, projection_, progress.part(0.2, 1), samples);
@@ -111,17 +110,23 @@ public:
   {
     if(samples.empty())
       return progress(1);
-    const Sample_groups groups = group_samples(samples, surface_->patches);
-    Skeleton_graph quotient = surface_quotient(groups, surface_->patches, *surface_->side);
+    const std::vector<Local_separator> separators =
+      disjoint_separators(surface_->patches, samples);
     if(!progress(0.6))
       return false;
-
-    const std::vector<bool> stray = stray_vertices(quotient, group_weights(groups));
+    const Surface_quotient quotient = surface_quotient(surface_->patches, samples, separators);
+    graph = quotient.graph;
+    const auto patches_of = patches_of_vertices(quotient.vertex_of_patch, graph.vertices.size());
+    const std::vector<bool> stray = stray_vertices(graph, weights(patches_of));
+    std::vector<bool> removed =
+      Spur_pruning(graph, separators.size(), surface_->patches, patches_of).spurs();
+    for(std::size_t v = 0; v < removed.size(); ++v)
+      removed[v] = removed[v] || stray[v];
+    graph = without(graph, removed);
     std::vector<bool> outlier(samples.size());
     for(std::size_t i = 0; i < samples.size(); ++i)
-      outlier[i] = stray[groups.group_of_sample[i]];
+      outlier[i] = stray[quotient.vertex_of_patch[i]];
 
-    graph = pruned(without(quotient, stray), without(surface_shares(groups), stray));
     smooth(graph);
     graph = resampled(graph, surface_->spacing);
     extend_ends(graph, surface_points(assigned_vertices(outlier)));
@@ -140,23 +145,41 @@ public:
   const Gaussians& components() const override { return mixture.front(); }
 
 private:
-  /// The number of points of every group.
-  std::vector<double> group_weights(const Sample_groups& groups) const
+  /// Patches from the mixture without its noise: components that come to lie in one cell are one.
+  void consolidate()
   {
-    std::vector<double> result(groups.groups.size(), 0);
-    for(std::size_t i = 0; i < samples.size(); ++i)
-      result[groups.group_of_sample[i]] += surface_->patches[i].weight;
-    return result;
+    const Gaussians& components = mixture.front();
+    const Consolidated_surface clean = Surface_consolidation<ConcurrencyTag>(components)();
+    std::vector<std::size_t> kept;
+    for(std::size_t i = 0; i < components.size(); ++i)
+      if(!clean.outlier[i])
+        kept.push_back(i);
+    const Grid_cells cells = grid_cells(
+      kept.size(), [&](std::size_t k) { return clean.positions[kept[k]]; },
+      levels_.front().cell_size());
+    patch_of_component_.assign(components.size(), none);
+    std::vector<std::vector<std::size_t>> members(cells.size);
+    for(std::size_t k = 0; k < kept.size(); ++k) {
+      patch_of_component_[kept[k]] = cells.cell_of[k];
+      members[cells.cell_of[k]].push_back(kept[k]);
+    }
+    Gaussians patches;
+    for(const std::vector<std::size_t>& cell : members) {
+      Moments moments(clean.positions[cell.front()]);
+      for(std::size_t i : cell)
+        moments.add(components[i].weight, clean.positions[i]);
+      patches.push_back(moments.gaussian());
+    }
+    surface_ = std::make_unique<Oriented_surface<ConcurrencyTag>>(patches);
   }
 
-  std::vector<Surface_share> surface_shares(const Sample_groups& groups) const
+  /// The number of points of every vertex.
+  std::vector<double> weights(const std::vector<std::vector<std::size_t>>& patches_of) const
   {
-    std::vector<Surface_share> result(groups.groups.size());
-    for(std::size_t i = 0; i < samples.size(); ++i) {
-      Surface_share& share = result[groups.group_of_sample[i]];
-      share.patches += 1;
-      share.normals += surface_->confidence[i] * surface_->patches[i].normal;
-    }
+    std::vector<double> result(patches_of.size(), 0);
+    for(std::size_t v = 0; v < patches_of.size(); ++v)
+      for(std::size_t i : patches_of[v])
+        result[v] += surface_->patches[i].weight;
     return result;
   }
 
@@ -188,13 +211,15 @@ private:
     const Grid_level& level = levels_.front();
     vertex_of_point.resize(points_->size());
     parallel_for<ConcurrencyTag>(points_->size(), [&](std::size_t p) {
-      vertex_of_point[p] = vertex_of_sample[level.cell_index((*points_)[p])];
+      const std::size_t patch = patch_of_component_[level.cell_index((*points_)[p])];
+      vertex_of_point[p] = patch == none ? none : vertex_of_sample[patch];
     });
   }
 
   Projection_options projection_;
   std::vector<Grid_level> levels_;
   const std::vector<Vector3>* points_ = nullptr;
+  std::vector<std::size_t> patch_of_component_; ///< `none` for outliers.
   std::unique_ptr<Oriented_surface<ConcurrencyTag>> surface_;
 };
 

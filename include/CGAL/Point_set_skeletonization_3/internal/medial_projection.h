@@ -28,8 +28,8 @@ namespace internal {
 struct Projection_options
 {
   /// Bound on the iterations. From its medial ball a sample in a limb needs a handful; the sheets in
-  /// thick parts contract slowly and change no end or loop any more after some 40.
-  std::size_t maximum_iterations = 40;
+  /// thick parts contract slowly, but the linking does not ask for that.
+  std::size_t maximum_iterations = 8;
 
   /// Kernel radius over the radius of the medial ball. The centre of a round tube attracts under
   /// Eq. 9 for ratios above sqrt(32) = 5.7 only (below, the ring itself does); far above, neighbouring
@@ -137,13 +137,21 @@ inline std::vector<Sample> medial_samples(const std::vector<Patch>& patches,
 
 /// Puts samples that ended outside of the shape where the sample of the nearest patch beside them
 /// on the surface is: their normal was wrong and took them to where nothing pulls. A lost one among
-/// lost ones follows once its neighbour is back; with nobody to follow it returns to its patch.
-inline void bring_back_lost_samples(std::vector<Sample>& samples, const std::vector<Patch>& patches)
+/// lost ones follows once its neighbour is back. With nobody to follow, or where normals say nothing
+/// - on a twig that has no inside -, it returns to its patch.
+inline void bring_back_lost_samples(std::vector<Sample>& samples, const std::vector<Patch>& patches,
+                                    const std::vector<double>& confidence)
 {
   std::vector<char> lost(samples.size(), 0);
-  // 0.25 rather than 0.5: near a hole of the data the number is low inside as well.
-  for(std::size_t i = 0; i < samples.size(); ++i)
+  for(std::size_t i = 0; i < samples.size(); ++i) {
+    // 0.25 rather than 0.5: near a hole of the data the number is low inside as well.
     lost[i] = winding_number(patches, samples[i].position) < 0.25;
+    if(lost[i] && confidence[i] < trusted_orientation) {
+      samples[i].position = samples[i].origin;
+      samples[i].radius = 0;
+      lost[i] = 0;
+    }
+  }
   for(bool found = true; found;) {
     found = false;
     const std::vector<char> lost_before = lost;

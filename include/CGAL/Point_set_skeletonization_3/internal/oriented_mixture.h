@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/attraction.h>
+#include <CGAL/Point_set_skeletonization_3/internal/grid_cells.h>
 
 #include <algorithm>
 #include <array>
@@ -31,22 +32,19 @@ struct Oriented_gaussian
 inline std::vector<Oriented_gaussian> merged(const std::vector<Oriented_gaussian>& fine,
                                              double cell_size)
 {
-  std::vector<std::pair<std::array<double, 3>, std::size_t>> order;
-  order.reserve(fine.size());
-  for(std::size_t i = 0; i < fine.size(); ++i) {
-    const Vector3 cell = (fine[i].gaussian.mean / cell_size).array().floor();
-    order.push_back({{{cell.x(), cell.y(), cell.z()}}, i});
-  }
-  std::sort(order.begin(), order.end());
+  const Grid_cells cells =
+    grid_cells(fine.size(), [&](std::size_t i) { return fine[i].gaussian.mean; }, cell_size);
+  std::vector<std::vector<std::size_t>> members(cells.size);
+  for(std::size_t i = 0; i < fine.size(); ++i)
+    members[cells.cell_of[i]].push_back(i);
 
   std::vector<Oriented_gaussian> result;
-  for(std::size_t begin = 0, end; begin < order.size(); begin = end) {
-    Moments moments(fine[order[begin].second].gaussian.mean);
+  for(const std::vector<std::size_t>& cell : members) {
+    Moments moments(fine[cell.front()].gaussian.mean);
     Vector3 normal = Vector3::Zero();
-    for(end = begin; end < order.size() && order[end].first == order[begin].first; ++end) {
-      const Oriented_gaussian& g = fine[order[end].second];
-      moments.add(g.gaussian);
-      normal += g.gaussian.weight * g.confidence * g.normal;
+    for(std::size_t i : cell) {
+      moments.add(fine[i].gaussian);
+      normal += fine[i].gaussian.weight * fine[i].confidence * fine[i].normal;
     }
     const double length = normal.norm();
     result.push_back({moments.gaussian(), length > 0 ? Vector3(normal / length) : normal,

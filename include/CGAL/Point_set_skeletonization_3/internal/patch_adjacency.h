@@ -74,7 +74,11 @@ inline void estimate_normal(Patch& patch, const Gaussians& gaussians,
   solver.computeDirect(moments.gaussian().covariance);
   const Vector3 variance = solver.eigenvalues().cwiseMax(0);
   patch.normal = solver.eigenvectors().col(0).normalized();
-  patch.planarity = variance[1] > 0 ? 1 - variance[0] / variance[1] : 0;
+  // A line has no normal: flat counts what is a tenth as wide as long.
+  constexpr double least_width = 0.1;
+  if(variance[1] > 1e-10 * variance[2])
+    patch.planarity = (1 - variance[0] / variance[1]) *
+                      std::min(1.0, variance[1] / (least_width * variance[2]));
   if(!patch.normal.allFinite())
     patch.normal = Vector3::UnitZ();
 }

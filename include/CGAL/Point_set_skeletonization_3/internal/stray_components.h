@@ -4,7 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_STRAY_COMPONENTS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_STRAY_COMPONENTS_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/essential_cycles.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Connectivity.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Skeleton_graph.h>
 
 #include <algorithm>

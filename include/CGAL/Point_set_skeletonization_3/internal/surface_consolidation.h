@@ -1,0 +1,245 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_CONSOLIDATION_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_CONSOLIDATION_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/grid_cells.h>
+#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// What a Gaussian window on the mixture shows around a place.
+struct Local_fit
+{
+  Vector3 mean = Vector3::Zero();
+  Vector3 normal = Vector3::UnitZ();
+  double density = 0;   ///< Weight in the window over its area.
+  double roughness = 1; ///< The smallest principal variance over the next: 0 a plane, 1 a blob.
+};
+
+/// The mixture seen through windows of one size, at a resolution that fits.
+class Mixture_window
+{
+public:
+  Mixture_window(const Gaussians& mixture, double spacing, double radius) : radius_(radius)
+  {
+    constexpr double resolution = 1.0 / 3; // of the radius: two dozen components in a window
+    mixture_ = resolution * radius > spacing ? coarsened(mixture, resolution * radius) : mixture;
+    search_ = std::make_unique<Neighbor_search>(
+      mixture_.size(), [this](std::size_t i) { return mixture_[i].mean; });
+  }
+
+  double radius() const { return radius_; }
+
+  Local_fit operator()(const Vector3& q) const
+  {
+    std::vector<std::size_t> near;
+    search_->within(q, 1.5 * radius_, near); // where the window has fallen to 1 %
+    Moments moments(q);
+    for(std::size_t i : near) {
+      const double squared = (mixture_[i].mean - q).squaredNorm() / (radius_ * radius_);
+      moments.add(std::exp(-2 * squared) * mixture_[i].weight, mixture_[i]);
+    }
+    Local_fit fit;
+    fit.mean = q;
+    if(!(moments.weight() > 0))
+      return fit;
+    const Gaussian window = moments.gaussian();
+    Eigen::SelfAdjointEigenSolver<Matrix3> solver;
+    solver.computeDirect(window.covariance);
+    const Vector3 variance = solver.eigenvalues().cwiseMax(0);
+    fit.mean = window.mean;
+    fit.normal = solver.eigenvectors().col(0);
+    fit.density = moments.weight() / (radius_ * radius_);
+    // A line, to rounding, is as rough as a blob: it has no normal.
+    if(variance[1] > 1e-10 * variance[2])
+      fit.roughness = variance[0] / variance[1];
+    return fit;
+  }
+
+private:
+  double radius_;
+  Gaussians mixture_;
+  std::unique_ptr<Neighbor_search> search_;
+};
+
+/// Distance of every component to its fourth neighbour.
+template <typename ConcurrencyTag>
+std::vector<double> component_spacings(const Gaussians& mixture)
+{
+  const Neighbor_search search(mixture.size(), [&](std::size_t i) { return mixture[i].mean; });
+  std::vector<double> result(mixture.size(), 0);
+  parallel_for<ConcurrencyTag>(mixture.size(), [&](std::size_t i) {
+    std::vector<Neighbor_search::Neighbor> nearest;
+    search.nearest(mixture[i].mean, 5, nearest);
+    result[i] = std::sqrt(nearest.back().squared_distance);
+  });
+  return result;
+}
+
+/// \pre `!values.empty()`
+inline double median(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Where the components of a mixture lie once the noise is taken off.
+struct Consolidated_surface
+{
+  std::vector<Vector3> positions;
+  std::vector<bool> outlier;
+};
+
+/// Takes the noise off a mixture: moves its components to the surface that they scatter around.
+///
+/// The window that this takes has to be wider than the noise and narrower than the limbs. It is the
+/// first of a row of sizes whose roughness, in the median over the shape, is small or grows again
+/// with the next: noise makes small windows rough, curvature and neighbouring sheets large ones.
+/// A component moves to the plane fitted in its window; where there is no plane - in heavy noise, in
+/// a twig thinner than that - to the mean, as mean shift does (Comaniciu & Meer 2002).
+template <typename ConcurrencyTag>
+class Surface_consolidation
+{
+public:
+  explicit Surface_consolidation(const Gaussians& mixture)
+    : mixture_(mixture), spacings_(component_spacings<ConcurrencyTag>(mixture)),
+      spacing_(std::max(median(spacings_), std::numeric_limits<double>::min()))
+  {
+    for(const Gaussian& g : mixture)
+      result_.positions.push_back(g.mean);
+    result_.outlier.assign(mixture.size(), false);
+  }
+
+  Consolidated_surface operator()()
+  {
+    drop_isolated();
+    const std::size_t size = window_size();
+    constexpr int passes = 3; // the first halves the noise, the third finds nothing to do
+    for(int pass = 0; pass < passes; ++pass) {
+      move(size);
+      drop_thin();
+    }
+    return result_;
+  }
+
+private:
+  /// Components whose neighbours are far away are outliers: density falls by the square root of 8
+  /// in spacing over a badly sampled shape, and outliers are spread in space, not on a surface.
+  void drop_isolated()
+  {
+    constexpr double isolated = 3;
+    for(std::size_t i = 0; i < mixture_.size(); ++i)
+      result_.outlier[i] = spacings_[i] > isolated * spacing_;
+  }
+
+  static constexpr std::size_t sizes = 6;
+
+  /// Radius of a window size: from two spacings, the narrowest with a plane in it, by steps of 1.4.
+  double radius(std::size_t size) const
+  {
+    return 2 * spacing_ * std::pow(1.4, static_cast<double>(size));
+  }
+
+  Mixture_window window(std::size_t size) const
+  {
+    Gaussians kept;
+    for(std::size_t i = 0; i < mixture_.size(); ++i)
+      if(!result_.outlier[i])
+        kept.push_back({mixture_[i].weight, result_.positions[i], mixture_[i].covariance});
+    return Mixture_window(kept, spacing_, radius(size));
+  }
+
+  std::size_t window_size() const
+  {
+    constexpr double smooth = 0.15;  // noise of a fifth of the window's radius
+    constexpr std::size_t every = 7; // a median needs some hundreds
+    double least = std::numeric_limits<double>::infinity();
+    for(std::size_t size = 0; size < sizes; ++size) {
+      const Mixture_window view = window(size);
+      std::vector<double> roughness;
+      for(std::size_t i = 0; i < mixture_.size(); i += every)
+        roughness.push_back(view(result_.positions[i]).roughness);
+      const double middle = median(roughness);
+      if(middle > least)
+        return size - 1;
+      if(middle < smooth)
+        return size;
+      least = middle;
+    }
+    return sizes - 1;
+  }
+
+  void move(std::size_t size)
+  {
+    std::vector<Mixture_window> views;
+    for(std::size_t k = size; k < sizes; ++k)
+      views.push_back(window(k));
+    density_.assign(mixture_.size(), 0);
+    parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
+      if(result_.outlier[i])
+        return;
+      // Where the points are sparse the window has to be wider to show anything.
+      std::size_t k = 0;
+      while(k + 1 < views.size() && views[k].radius() < 1.6 * spacings_[i])
+        ++k;
+      Vector3& position = result_.positions[i]; // the views keep the ones before
+      const Local_fit fit = views[k](position);
+      density_[i] = fit.density;
+      const double blob = std::min(1.0, std::max(0.0, (fit.roughness - 0.1) / 0.2));
+      const Vector3 step = fit.mean - position;
+      position += (1 - blob) * fit.normal.dot(step) * fit.normal + blob * step;
+    });
+    reach_ = radius(size);
+  }
+
+  /// A thin cloud beside a dense surface is the tail of its noise.
+  void drop_thin()
+  {
+    constexpr double thin = 0.2; // Gaussian noise at 1.8 standard deviations
+    const Neighbor_search search(result_.positions.size(),
+                                 [&](std::size_t i) { return result_.positions[i]; });
+    std::vector<std::size_t> near;
+    std::vector<bool> drop(mixture_.size(), false);
+    for(std::size_t i = 0; i < mixture_.size(); ++i) {
+      if(result_.outlier[i])
+        continue;
+      search.within(result_.positions[i], reach_, near);
+      double densest = 0;
+      for(std::size_t j : near)
+        densest = std::max(densest, density_[j]);
+      drop[i] = density_[i] < thin * densest;
+    }
+    for(std::size_t i = 0; i < mixture_.size(); ++i)
+      if(drop[i])
+        result_.outlier[i] = true;
+  }
+
+  const Gaussians& mixture_;
+  std::vector<double> spacings_;
+  double spacing_;
+  std::vector<double> density_;
+  double reach_ = 0;
+  Consolidated_surface result_;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_CONSOLIDATION_H
