@@ -73,7 +73,7 @@ Projection_outcome project_patches(const Oriented_surface<ConcurrencyTag>& surfa
   samples = medial_samples(surface.patches, surface.confidence, balls, options);
   const Projection_outcome outcome =
     project_samples<ConcurrencyTag>(samples, *surface.mixture, options, progress);
-  bring_back_lost_samples(samples, surface.patches, surface.confidence);
+  bring_back_lost_samples(samples, surface.patches);
   return outcome;
 }
 
@@ -127,6 +127,7 @@ public:
     for(std::size_t i = 0; i < samples.size(); ++i)
       outlier[i] = stray[quotient.vertex_of_patch[i]];
 
+    if(getenv("RAW")) { assign_points(assigned_vertices(outlier)); return true; }
     smooth(graph);
     graph = resampled(graph, surface_->spacing);
     extend_ends(graph, surface_points(assigned_vertices(outlier)));

@@ -97,9 +97,9 @@ private:
   /// connect, within not much more than the ball, are one: the region went around a hole of the data.
   std::vector<Front> connected_fronts() const
   {
-    // The way around a hole as large as the limb is thick is in a ball of 1.5 times its radius; the
-    // way around a hole of the shape is longer.
-    constexpr double detour = 1.8;
+    // The way around a hole of the data as wide as the limb is in a ball of 1.4 times its radius, the
+    // way around a hole of the shape is not.
+    constexpr double detour = 1.5;
     constexpr double few_patches = 4;
     const double shell =
       std::max(detour * reach_, reach_ + few_patches * patches_[region_.front()].spacing);

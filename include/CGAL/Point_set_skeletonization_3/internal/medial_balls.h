@@ -10,7 +10,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <queue>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -70,11 +73,37 @@ inline std::vector<double> median_filtered(const std::vector<double>& values,
   return result;
 }
 
+/// Bounds every value by those of the patches around it plus half of the way there: thickness changes
+/// no faster. What faces the tip of a limb is the body at its other end, not the tip's other side.
+inline void limit_slope(std::vector<double>& values, const std::vector<Patch>& patches)
+{
+  constexpr double slope = 0.5;
+  using Step = std::pair<double, std::size_t>;
+  std::priority_queue<Step, std::vector<Step>, std::greater<Step>> queue;
+  for(std::size_t i = 0; i < values.size(); ++i)
+    if(values[i] > 0)
+      queue.emplace(values[i], i);
+  while(!queue.empty()) {
+    const std::size_t i = queue.top().second;
+    const double value = queue.top().first;
+    queue.pop();
+    if(value > values[i])
+      continue;
+    for(std::size_t j : patches[i].neighbors) {
+      const double bound = value + slope * (patches[i].mean - patches[j].mean).norm();
+      if(values[j] > bound || !(values[j] > 0)) {
+        values[j] = bound;
+        queue.emplace(bound, j);
+      }
+    }
+  }
+}
+
 /// The radius of the medial ball at every patch: how thick the shape is there. Shrinking balls (Ma
 /// et al. 2012) are at the mercy of every patch nearby; restricted to patches that face each other
 /// the relative error is that of the patches over the thickness. Three passes of a median filter
-/// remove what is left of outliers and give patches without a ball that of their surroundings;
-/// 0 where there is none at all.
+/// remove what is left of outliers, and patches without a ball get that of their surroundings; 0 where
+/// there is none at all.
 template <typename ConcurrencyTag>
 std::vector<double> medial_ball_radii(const std::vector<Patch>& patches,
                                       const std::vector<double>& confidence)
@@ -85,6 +114,7 @@ std::vector<double> medial_ball_radii(const std::vector<Patch>& patches,
   });
   for(int pass = 0; pass < 3; ++pass)
     radii = median_filtered(radii, patches);
+  limit_slope(radii, patches);
   return radii;
 }
 

@@ -135,45 +135,23 @@ inline std::vector<Sample> medial_samples(const std::vector<Patch>& patches,
   return samples;
 }
 
-/// Puts samples that ended outside of the shape where the sample of the nearest patch beside them
-/// on the surface is: their normal was wrong and took them to where nothing pulls. A lost one among
-/// lost ones follows once its neighbour is back. With nobody to follow, or where normals say nothing
-/// - on a twig that has no inside -, it returns to its patch.
-inline void bring_back_lost_samples(std::vector<Sample>& samples, const std::vector<Patch>& patches,
-                                    const std::vector<double>& confidence)
+/// Puts samples that went astray back on their patch. A sample is in the middle of the shape where its
+/// patch is: inside, and its ball, the largest around it, reaches that patch. Others had a wrong
+/// normal, or sit on a twig that has no inside.
+inline void bring_back_lost_samples(std::vector<Sample>& samples, const std::vector<Patch>& patches)
 {
-  std::vector<char> lost(samples.size(), 0);
+  // 0.25 rather than 0.5: near a hole of the data the number is low inside as well.
+  constexpr double inside = 0.25;
+  // A limb is wider than thick, and in a flat part a sample slides along its medial sheet.
+  constexpr double reach = 3;
   for(std::size_t i = 0; i < samples.size(); ++i) {
-    // 0.25 rather than 0.5: near a hole of the data the number is low inside as well.
-    lost[i] = winding_number(patches, samples[i].position) < 0.25;
-    if(lost[i] && confidence[i] < trusted_orientation) {
-      samples[i].position = samples[i].origin;
-      samples[i].radius = 0;
-      lost[i] = 0;
+    Sample& sample = samples[i];
+    if((sample.position - sample.origin).norm() > reach * sample.radius + patches[i].spacing ||
+       winding_number(patches, sample.position) < inside) {
+      sample.position = sample.origin;
+      sample.radius = 0;
     }
   }
-  for(bool found = true; found;) {
-    found = false;
-    const std::vector<char> lost_before = lost;
-    for(std::size_t i = 0; i < samples.size(); ++i) {
-      double nearest = std::numeric_limits<double>::infinity();
-      for(std::size_t j : patches[i].neighbors) {
-        const double squared = (patches[j].mean - patches[i].mean).squaredNorm();
-        if(!lost_before[i] || lost_before[j] || squared >= nearest)
-          continue;
-        nearest = squared;
-        samples[i].position = samples[j].position;
-        samples[i].radius = samples[j].radius;
-        lost[i] = 0;
-        found = true;
-      }
-    }
-  }
-  for(std::size_t i = 0; i < samples.size(); ++i)
-    if(lost[i]) {
-      samples[i].position = samples[i].origin;
-      samples[i].radius = 0;
-    }
 }
 
 /// Moves the samples to the local L1-medians of the mixture. Every iteration reads the positions of

@@ -37,17 +37,6 @@ inline Skeleton_graph without(const Skeleton_graph& graph, const std::vector<boo
   return result;
 }
 
-/// The patches of every vertex.
-inline std::vector<std::vector<std::size_t>>
-patches_of_vertices(const std::vector<std::size_t>& vertex_of_patch, std::size_t vertices)
-{
-  std::vector<std::vector<std::size_t>> result(vertices);
-  for(std::size_t i = 0; i < vertex_of_patch.size(); ++i)
-    if(vertex_of_patch[i] < vertices)
-      result[vertex_of_patch[i]].push_back(i);
-  return result;
-}
-
 /// Removes the ends that are no limbs.
 class Spur_pruning
 {

@@ -95,6 +95,42 @@ private:
   Connectivity connectivity_;
 };
 
+/// The patches of every vertex.
+inline std::vector<std::vector<std::size_t>>
+patches_of_vertices(const std::vector<std::size_t>& vertex_of_patch, std::size_t vertices)
+{
+  std::vector<std::vector<std::size_t>> result(vertices);
+  for(std::size_t i = 0; i < vertex_of_patch.size(); ++i)
+    result[vertex_of_patch[i]].push_back(i);
+  return result;
+}
+
+/// The L1-median of some samples, by Weiszfeld's iteration from their mean: a few that went astray do
+/// not draw it away. \pre there is a sample
+inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
+                                     const std::vector<Sample>& samples)
+{
+  Skeleton_graph::Vertex result{Vector3::Zero(), 0};
+  for(std::size_t i : members) {
+    result.position += samples[i].position / static_cast<double>(members.size());
+    result.radius += samples[i].radius / static_cast<double>(members.size());
+  }
+  constexpr int iterations = 10; // it converges linearly, and a tenth of a radius is enough
+  for(int iteration = 0; iteration < iterations; ++iteration) {
+    Vector3 sum = Vector3::Zero();
+    double weight = 0;
+    for(std::size_t i : members) {
+      // Not closer than the place is known, lest one sample take all.
+      const double distance = std::max((samples[i].position - result.position).norm(),
+                                       0.1 * result.radius + least_spacing);
+      sum += (samples[i].position - result.position) / distance;
+      weight += 1 / distance;
+    }
+    result.position += sum / weight;
+  }
+  return result;
+}
+
 /// The surface quotient: every separator and every piece between separators made one vertex, in the
 /// middle of the samples of its patches.
 inline Surface_quotient surface_quotient(const std::vector<Patch>& patches,
@@ -123,24 +159,18 @@ inline Surface_quotient surface_quotient(const std::vector<Patch>& patches,
     result.vertex_of_patch.push_back(surface.separator(i) != none ? surface.separator(i)
                                                                    : vertex(surface.piece(i)));
 
-  std::vector<double> count(result.graph.vertices.size(), 0);
-  const auto add = [&](std::size_t v, const Sample& sample, double share) {
-    result.graph.vertices[v].position += share * sample.position;
-    result.graph.vertices[v].radius += share * sample.radius;
-    count[v] += share;
-  };
-  for(std::size_t i = 0; i < patches.size(); ++i)
-    add(result.vertex_of_patch[i], samples[i], 1);
+  std::vector<std::vector<std::size_t>> members =
+    patches_of_vertices(result.vertex_of_patch, result.graph.vertices.size());
   // Separators that touch leave no patch in between: the piece lies in the middle of them.
-  const std::vector<double> patches_of = count;
+  std::vector<bool> empty(members.size());
+  for(std::size_t v = 0; v < members.size(); ++v)
+    empty[v] = members[v].empty();
   for(const Skeleton_graph::Edge& e : result.graph.edges)
-    if(patches_of[e.second] == 0)
-      for(std::size_t i : separators[e.first].patches)
-        add(e.second, samples[i], 1);
-  for(std::size_t v = 0; v < count.size(); ++v) {
-    result.graph.vertices[v].position /= count[v];
-    result.graph.vertices[v].radius /= count[v];
-  }
+    if(empty[e.second])
+      members[e.second].insert(members[e.second].end(), separators[e.first].patches.begin(),
+                               separators[e.first].patches.end());
+  for(std::size_t v = 0; v < members.size(); ++v)
+    result.graph.vertices[v] = middle(members[v], samples);
   return result;
 }
 
