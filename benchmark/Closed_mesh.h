@@ -50,12 +50,12 @@ inline std::vector<Mesh> components_of(const Mesh& mesh)
   return components;
 }
 
-/// Number of handles of a closed surface with one component.
+/// Number of handles of a closed surface with one component, from its Euler characteristic.
 inline std::size_t genus_of(const Mesh& component)
 {
-  const std::size_t characteristic_and_edges =
+  const std::size_t vertices_and_faces =
       component.number_of_vertices() + component.number_of_faces();
-  return (2 + component.number_of_edges() - characteristic_and_edges) / 2;
+  return (component.number_of_edges() + 2 - vertices_and_faces) / 2;
 }
 
 #endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_CLOSED_MESH_H

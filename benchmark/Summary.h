@@ -126,16 +126,20 @@ inline std::string difference(const std::string& what, std::size_t got,
   return ", " + what + ' ' + std::to_string(got) + " of " + std::to_string(*wanted);
 }
 
+/// The rows that are not exact, one a line, and why.
 inline void write_misses(std::ostream& out, const std::vector<Row>& rows)
 {
   out << "\nmisses\n";
-  for(const Row& row : rows)
-    if(!row.exact().value_or(true))
-      out << row.shape << ' ' << row.seed << ' ' << row.variant << ' ' << row.method
-          << (row.status == "ok" ? "" : ", " + row.status)
-          << difference("components", row.got.components, row.truth.components)
-          << difference("cycles", row.got.cycles, row.truth.cycles)
-          << difference("ends", row.got.ends, row.truth.ends) << '\n';
+  for(const Row& row : rows) {
+    if(row.exact().value_or(true))
+      continue;
+    for(const std::string& part : {row.shape, row.seed, row.variant})
+      out << part << (part.empty() ? "" : " ");
+    out << row.method << (row.status == "ok" ? "" : ", " + row.status)
+        << difference("components", row.got.components, row.truth.components)
+        << difference("cycles", row.got.cycles, row.truth.cycles)
+        << difference("ends", row.got.ends, row.truth.ends) << '\n';
+  }
   out << std::flush;
 }
 

@@ -62,8 +62,8 @@ Layout layout()
 {
   using namespace columns;
   return {{text("cloud", 20, &Row::shape), points(), text("method", 9, &Row::method), exact(),
-           count("comp", &Graph_counts::components), truth("true", &Truth::components),
-           count("cycles", &Graph_counts::cycles), truth("true", &Truth::cycles),
+           count("comp", &Graph_counts::components), truth("comp_true", &Truth::components),
+           count("cycles", &Graph_counts::cycles), truth("cycles_true", &Truth::cycles),
            count("ends", &Graph_counts::ends), count("junctions", &Graph_counts::junctions),
            spurs(), number("unexplained", &Row::unexplained, 4),
            number("seconds", &Row::seconds, 2), text("status", 2, &Row::status)},

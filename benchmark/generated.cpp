@@ -23,12 +23,12 @@ namespace {
 std::vector<Point> to_points(const std::vector<shapes::Vector>& vectors)
 {
   std::vector<Point> points;
+  points.reserve(vectors.size());
   for(const shapes::Vector& v : vectors)
     points.emplace_back(v.x(), v.y(), v.z());
   return points;
 }
 
-/// Half of the length of its axis' shortest radius is the step at which the inside is asked for.
 double least_radius(const shapes::Known_shape& shape)
 {
   double radius = shape.axis.front().radius_a;
@@ -71,7 +71,8 @@ std::vector<Row> rows_of(const shapes::Known_shape& shape,
       if(variant == shapes::Variant::clean)
         clean[outcome.method] = outcome.skeleton;
       else
-        measure_stability(row, outcome.skeleton, clean[outcome.method], diagonal(points));
+        measure_stability(row, outcome.skeleton, clean[outcome.method],
+                          shape.solid.bounding_box().diagonal().norm());
       write_miss(options.misses, row, outcome.skeleton, points);
       rows.push_back(row);
     }
@@ -115,11 +116,11 @@ Layout layout()
            text("method", 9, &Row::method),
            exact(),
            count("comp", &Graph_counts::components),
-           truth("true", &Truth::components),
+           truth("comp_true", &Truth::components),
            count("cycles", &Graph_counts::cycles),
-           truth("true", &Truth::cycles),
+           truth("cycles_true", &Truth::cycles),
            count("ends", &Graph_counts::ends),
-           truth("true", &Truth::ends),
+           truth("ends_true", &Truth::ends),
            count("junctions", &Graph_counts::junctions),
            number("axis", &Row::axis_mean, 3),
            number("axis_max", &Row::axis_maximum, 2),

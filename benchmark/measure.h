@@ -11,7 +11,6 @@
 #include "spurs.h"
 #include "unexplained_points.h"
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/IO/Curve_skeleton_3.h>
 #include <CGAL/bounding_box.h>
 

@@ -43,7 +43,7 @@ std::vector<std::string> chosen_files(const Quality_options& options)
   for(const std::string& file : options.files)
     if(std::filesystem::is_directory(file))
       for(const std::string& model : sample_models())
-        files.push_back(file + '/' + model + ".off");
+        files.push_back((std::filesystem::path(file) / (model + ".off")).string());
     else
       files.push_back(file);
   return files;
@@ -176,8 +176,8 @@ Layout layout()
   using namespace columns;
   return {{text("model", 16, &Row::shape), text("variant", 11, &Row::variant),
            text("method", 9, &Row::method), exact(), count("comp", &Graph_counts::components),
-           truth("true", &Truth::components), count("cycles", &Graph_counts::cycles),
-           truth("true", &Truth::cycles), count("ends", &Graph_counts::ends),
+           truth("comp_true", &Truth::components), count("cycles", &Graph_counts::cycles),
+           truth("cycles_true", &Truth::cycles), count("ends", &Graph_counts::ends),
            count("junctions", &Graph_counts::junctions), number("off_centre", &Row::off_centre, 3),
            number("inside", &Row::inside, 4), spurs(), number("unexplained", &Row::unexplained, 4),
            number("moved", &Row::moved_mean, 4), number("moved_max", &Row::moved_maximum, 4),

@@ -14,6 +14,8 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <stdexcept>
+#include <string>
 
 namespace {
 
@@ -73,9 +75,8 @@ CLI::App* add_clouds(CLI::App& app, Quality_options& options)
   return command;
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+/// \return the exit code \throw std::runtime_error with a message of one line
+int run(int argc, char** argv)
 {
   Quality_options options;
   CLI::App app("How good skeletons are, in one table.", "quality");
@@ -83,15 +84,28 @@ int main(int argc, char** argv)
   const CLI::App* generated = add_generated(app, options);
   const CLI::App* meshes = add_meshes(app, options);
   const CLI::App* clouds = add_clouds(app, options);
-  CLI11_PARSE(app, argc, argv);
   try {
-    if(generated->parsed())
-      generated::run(options);
-    if(meshes->parsed())
-      meshes::run(options);
-    if(clouds->parsed())
-      clouds::run(options);
-    return EXIT_SUCCESS;
+    app.parse(argc, argv);
+  } catch(const CLI::CallForHelp& help) {
+    return app.exit(help);
+  } catch(const CLI::ParseError& error) {
+    throw std::runtime_error(std::string(error.what()) + " (try --help)");
+  }
+  if(generated->parsed())
+    generated::run(options);
+  if(meshes->parsed())
+    meshes::run(options);
+  if(clouds->parsed())
+    clouds::run(options);
+  return EXIT_SUCCESS;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try {
+    return run(argc, argv);
   } catch(const std::exception& error) {
     std::cerr << "quality: " << error.what() << std::endl;
     return EXIT_FAILURE;

@@ -6,7 +6,6 @@
 
 #include "skeleton_samples.h"
 
-#include <CGAL/AABB_halfedge_graph_segment_primitive.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/Polygon_mesh_slicer.h>
@@ -150,7 +149,7 @@ template <typename Skeleton, typename Mesh>
 std::vector<double> off_centre_ratios(const Skeleton& skeleton, const Mesh& mesh, double step)
 {
   using Point_3 = typename boost::property_traits<
-      typename boost::property_map<Mesh, boost::vertex_point_t>::const_type>::value_type;
+      typename boost::property_map<Mesh, CGAL::vertex_point_t>::const_type>::value_type;
   using Traits = typename CGAL::Kernel_traits<Point_3>::Kernel;
   const CGAL::Polygon_mesh_slicer<Mesh, Traits> slicer(mesh);
   std::vector<double> ratios;

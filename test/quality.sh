@@ -1,0 +1,91 @@
+#!/bin/sh
+# The regression command, on little. Usage: quality.sh QUALITY
+. "$(dirname "$0")/program.sh"
+
+torus() { # torus FILE LAST: quadrilaterals that share no vertex, round the ring up to LAST of 24
+  awk -v last="$2" '
+    function vertex(i, j,    a, b) {
+      a = i * 6.283185307 / 24; b = j * 6.283185307 / 12
+      printf "%.6f %.6f %.6f\n", (3 + cos(b)) * cos(a), (3 + cos(b)) * sin(a), sin(b)
+    }
+    BEGIN {
+      print "OFF\n" 4 * 12 * last, 12 * last, 0
+      for(i = 0; i < last; ++i)
+        for(j = 0; j < 12; ++j) {
+          vertex(i, j); vertex((i + 1) % 24, j)
+          vertex((i + 1) % 24, (j + 1) % 12); vertex(i, (j + 1) % 12)
+        }
+      for(i = 0; i < 12 * last; ++i) print 4, 4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3
+    }' > "$1"
+}
+torus closed.off 24
+torus open.off 20
+
+field() { # field COLUMN ROW: of table.csv, rows from 1
+  awk -F, -v name="$1" -v row="$2" 'NR == 1 { for(i = 1; i <= NF; ++i) if($i == name) n = i }
+                                    NR == row + 1 { print $n }' table.csv
+}
+
+has() { # has COLUMN ROW VALUE
+  check "row $2: $1 is $3, not $(field "$1" "$2")" test "$(field "$1" "$2")" = "$3"
+}
+
+for command in generated meshes clouds; do
+  accepts "$command" --help
+  for option in $(grep -o -- '--[a-z-]*' out); do
+    [ "$option" = --help ] ||
+      check "the README names $option" grep -q -- "$option" "$here/../benchmark/README.md"
+  done
+done
+
+refuses subcommand
+refuses FILES meshes
+refuses --nonsense generated --nonsense
+refuses --seeds generated --seeds 0
+refuses nonsense generated --families nonsense
+refuses nonsense generated --variants nonsense
+refuses cannot generated --csv nowhere/table.csv
+refuses COMPONENTS clouds cloud.xyz:many
+
+accepts generated --families ring --seeds 2 --variants clean,noise_half_percent --points 1000 \
+  --csv table.csv
+check "a head and a row for every cloud" test "$(wc -l < table.csv)" = 5
+for row in 1 2 3 4; do
+  has family $row ring
+  has comp_true $row 1
+  has cycles_true $row 1
+  has ends_true $row 0
+done
+has seed 2 1
+has seed 3 2
+has variant 4 noise_half_percent
+has moved 3 -
+cut -d, -f1-19 table.csv > one.csv # not the seconds
+accepts generated --families ring --seeds 2 --variants clean,noise_half_percent --points 1000 \
+  --csv table.csv --threads 2
+cut -d, -f1-19 table.csv > two.csv
+check "the same for any number of threads" cmp one.csv two.csv
+
+accepts meshes closed.off open.off nowhere.off --noise 0 --points 1000 --mcf --csv table.csv
+has comp_true 1 1
+has cycles_true 1 1
+has method 2 MCF
+has variant 3 "fine mesh"
+for row in 2 3; do
+  has comp $row 1
+  has cycles $row 1
+  has exact $row yes
+done
+has status 4 "mesh is open"
+has exact 4 NO
+has cycles_true 4 -
+check "what is wrong with a file" test "$(field status 7)" != ok
+
+accepts clouds cloud.xyz cloud.xyz:5 --as-published --csv table.csv --misses misses
+has points 1 600
+has exact 1 -
+has method 2 published
+has comp_true 3 5
+has exact 3 NO
+check "a miss is written" test -s misses/cloud.xyz -a -s misses/cloud_default.ply
+finish
