@@ -29,7 +29,7 @@ struct Projection_options
 {
   /// Bound on the iterations. From its medial ball a sample in a limb needs a handful; the sheets in
   /// thick parts contract slowly, but the linking does not ask for that.
-  std::size_t maximum_iterations = 8;
+  std::size_t maximum_iterations = (std::size_t)(getenv("IT")?atoi(getenv("IT")):8);
 
   /// Kernel radius over the radius of the medial ball. The centre of a round tube attracts under
   /// Eq. 9 for ratios above sqrt(32) = 5.7 only (below, the ring itself does); far above, neighbouring
@@ -57,51 +57,65 @@ constexpr double kernel_reach = 0.5;
 /// Components up to a fourteenth of the kernel radius - half the ball's radius - are points to it.
 constexpr double level_ratio = 1.0 / 14;
 
-/// The directions in which a sample may move, as a projector: those in which the normals it sees
-/// vary. Normals of a tube span its cross-section, and a sample must not slide along the axis: that
-/// is what makes the tips of L1-medial skeletons shrink. (The axis as the direction without normals
-/// is the idea of ROSA, Tagliasacchi et al. 2009.) Without trusted normals all directions are free.
-inline Matrix3 cross_section(const Matrix3& normal_tensor)
+/// The axis of the limb around a sample: the direction in which the normals it sees do not point.
+/// (The idea of ROSA, Tagliasacchi et al. 2009.)
+struct Limb_axis
+{
+  Vector3 direction = Vector3::Zero();
+  double certainty = 0; ///< In [0, 1]; 0: the normals point everywhere, or cannot be trusted.
+};
+
+inline Limb_axis limb_axis(const Matrix3& normal_tensor)
 {
   Eigen::SelfAdjointEigenSolver<Matrix3> solver;
   solver.computeDirect(normal_tensor);
   const Vector3 variance = solver.eigenvalues();
   if(!(variance[2] > 0))
-    return Matrix3::Identity();
+    return {};
   // The normals of a cone of half-angle phi vary 2 tan^2(phi) times as much along its axis as across
-  // it. Up to 0.1, a cone of 13 degrees, it moves not at all along its axis; from 0.4 on, 24 degrees,
-  // as at a rounded tip or in a junction, the direction is as good as any.
-  const Vector3 freedom =
-    (((variance / variance[2]).array() - 0.1) / 0.3).cwiseMax(0.0).cwiseMin(1.0);
-  return solver.eigenvectors() * freedom.asDiagonal() * solver.eigenvectors().transpose();
+  // it: 0.1 is a cone of 13 degrees, 0.4 one of 24 degrees, as a rounded tip or a junction.
+  const double along = (variance[0] / variance[2] - 0.1) / 0.3;
+  return {solver.eigenvectors().col(0), 1 - std::min(1.0, std::max(0.0, along))};
 }
 
-/// The gated attraction of the mixture on a sample, along its cross-section.
-inline Vector3 attracted(const Sample& sample, const Oriented_mixture& mixture,
+/// The gated attraction of the mixture on a sample, across the limb that it is in.
+///
+/// Along the axis a sample must not slide, or the tips of the skeleton shrink; and what it sees there
+/// must not count, or the median of a bent limb lies on the inside of the bend: the kernel is as thin
+/// as the limb in that direction.
+inline Vector3 attracted(const Sample& sample, double slab, const Oriented_mixture& mixture,
                          std::vector<std::size_t>& near)
 {
   const double h = sample.kernel_radius;
   const Oriented_mixture::Level& level = mixture.level_for(level_ratio * h);
   level.search.within(sample.position, kernel_reach * h, near);
 
-  Pull sum;
   Matrix3 normal_tensor = Matrix3::Zero();
+  std::vector<double> gates;
   for(std::size_t j : near) {
     const Oriented_attractor& a = level.attractors[j];
-    const double gate = a.seen_from(sample.position);
+    gates.push_back(a.seen_from(sample.position));
+    const double distance = (a.attractor.mean() - sample.position).squaredNorm();
+    normal_tensor += gates.back() * a.attractor.weight() * a.confidence * theta(distance, h) *
+                     a.normal * a.normal.transpose();
+  }
+  const Limb_axis axis = limb_axis(normal_tensor);
+
+  Pull sum;
+  for(std::size_t k = 0; k < near.size(); ++k) {
+    const Attractor& attractor = level.attractors[near[k]].attractor;
+    const double along = axis.direction.dot(attractor.mean() - sample.position) / slab;
+    const double gate = gates[k] * std::exp(-2 * axis.certainty * along * along);
     if(!(gate > 0))
       continue;
-    const Pull pull = a.attractor.pull(sample.position, h);
+    const Pull pull = attractor.pull(sample.position, h);
     sum.weighted_position += gate * pull.weighted_position;
     sum.weight += gate * pull.weight;
-    const double distance = (a.attractor.mean() - sample.position).squaredNorm();
-    normal_tensor += gate * a.attractor.weight() * a.confidence * theta(distance, h) * a.normal *
-                     a.normal.transpose();
   }
   if(!(sum.weight > 0))
     return sample.position;
   const Vector3 step = sum.weighted_position / sum.weight - sample.position;
-  return sample.position + cross_section(normal_tensor) * step;
+  return sample.position + step - axis.certainty * axis.direction.dot(step) * axis.direction;
 }
 
 /// Distance from `q` to the nearest component it sees from inside; 0 if it sees none.
@@ -170,7 +184,7 @@ Projection_outcome project_samples(std::vector<Sample>& samples, const Oriented_
       if(s.frozen)
         return;
       std::vector<std::size_t> near;
-      const Vector3 moved = attracted(s, mixture, near);
+      const Vector3 moved = attracted(s, s.kernel_radius / options.kernel_ratio, mixture, near);
       const double clearance = std::sqrt(mixture.finest().search.nearest(moved).squared_distance);
       s.frozen = (moved - s.position).norm() < options.tolerance * s.kernel_radius ||
                  clearance < options.least_clearance * s.radius;
