@@ -7,6 +7,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Skeletonization_stages.h>
 #include <CGAL/Point_set_skeletonization_3/internal/grid_moments.h>
+#include <CGAL/Point_set_skeletonization_3/internal/false_loops.h>
 #include <CGAL/Point_set_skeletonization_3/internal/local_separators.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial_balls.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial_projection.h>
@@ -41,6 +42,7 @@ public:
     orient_patches(patches);
     settle_orientation<ConcurrencyTag>(patches);
     confidence = orientation_confidence(patches);
+    part_facing_patches(patches, confidence);
 
     // A patch of a few points is thinner than the surface is known; a tenth of the spacing is not.
     const Matrix3 blur = 0.01 * spacing * spacing * Matrix3::Identity();
@@ -110,11 +112,11 @@ public:
   {
     if(samples.empty())
       return progress(1);
-    const std::vector<Local_separator> separators =
-      disjoint_separators(surface_->patches, samples);
+    std::vector<Local_separator> separators = disjoint_separators(surface_->patches, samples);
     if(!progress(0.6))
       return false;
-    const Surface_quotient quotient = surface_quotient(surface_->patches, samples, separators);
+    const Surface_quotient quotient =
+      quotient_without_false_loops(surface_->patches, samples, separators);
     graph = quotient.graph;
     const auto patches_of = patches_of_vertices(quotient.vertex_of_patch, graph.vertices.size());
     const std::vector<bool> stray = stray_vertices(graph, weights(patches_of));

@@ -5,7 +5,7 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_BALLS_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
-#include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
+#include <CGAL/Point_set_skeletonization_3/internal/patch_orientation.h>
 
 #include <algorithm>
 #include <array>
@@ -23,9 +23,6 @@ namespace internal {
 /// Normals that enclose more than this angle (cosine -0.3: 107 degrees) face each other. Balls
 /// between such patches only are stable medial balls: a bump or noise on one side makes none.
 constexpr double facing_normals = -0.3;
-
-/// Below this confidence a normal is a guess, and no ball is built on it.
-constexpr double trusted_orientation = 0.3;
 
 /// Radii of the balls that touch patch `i` from inside and a patch that faces it: of the three
 /// smallest the largest, so that two stray patches cannot make one. 0: nothing faces the patch.

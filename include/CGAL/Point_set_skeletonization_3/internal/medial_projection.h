@@ -29,7 +29,7 @@ struct Projection_options
 {
   /// Bound on the iterations. From its medial ball a sample in a limb needs a handful; the sheets in
   /// thick parts contract slowly, but the linking does not ask for that.
-  std::size_t maximum_iterations = (std::size_t)(getenv("IT")?atoi(getenv("IT")):8);
+  std::size_t maximum_iterations = (std::size_t)(getenv("IT")?atoi(getenv("IT")):0);
 
   /// Kernel radius over the radius of the medial ball. The centre of a round tube attracts under
   /// Eq. 9 for ratios above sqrt(32) = 5.7 only (below, the ring itself does); far above, neighbouring

@@ -95,6 +95,37 @@ inline std::vector<double> orientation_confidence(const std::vector<Patch>& patc
   return confidence;
 }
 
+/// Below this confidence a normal is a guess, and nothing is built on it.
+constexpr double trusted_orientation = 0.3;
+
+/// Whether two patches look at each other through the air between them: they belong to two limbs
+/// that nearly touch.
+inline bool look_at_each_other(const Patch& a, const Patch& b)
+{
+  constexpr double opposite = -0.3; // cosine: a crease between two limbs is a right angle or so
+  constexpr double towards = 0.8;   // sum of two cosines: both by 66 degrees, or one straight
+  const Vector3 d = (b.mean - a.mean).normalized();
+  const double from_a = a.normal.dot(d), from_b = -b.normal.dot(d);
+  return a.normal.dot(b.normal) < opposite && from_a > 0 && from_b > 0 &&
+         from_a + from_b > towards;
+}
+
+/// The orientation gate: patches that look at each other are no neighbours, as far as their
+/// orientation can be trusted.
+inline void part_facing_patches(std::vector<Patch>& patches, const std::vector<double>& confidence)
+{
+  for(std::size_t i = 0; i < patches.size(); ++i) {
+    std::vector<std::size_t>& neighbors = patches[i].neighbors;
+    neighbors.erase(std::remove_if(neighbors.begin(), neighbors.end(),
+                                   [&](std::size_t j) {
+                                     return confidence[i] > trusted_orientation &&
+                                            confidence[j] > trusted_orientation &&
+                                            look_at_each_other(patches[i], patches[j]);
+                                   }),
+                    neighbors.end());
+  }
+}
+
 } // namespace internal
 } // namespace Point_set_skeletonization_3
 } // namespace CGAL

@@ -18,8 +18,8 @@ namespace Point_set_skeletonization_3 {
 namespace internal {
 
 /// A limb is this much longer than half the width of one of its cross-sections. The corner of a
-/// plate is 1, a wedge of 60 degrees 1.7, a cone of 60 degrees as well; a finger or toe 3 and more.
-constexpr double least_slenderness = 1.75;
+/// plate and a dome are 1, a cone of 60 degrees is 1.7; a finger or toe 3 and more.
+constexpr double least_slenderness = 1.25;
 
 /// The graph without the vertices marked `removed` and their edges; the order of the rest is kept.
 inline Skeleton_graph without(const Skeleton_graph& graph, const std::vector<bool>& removed)

@@ -132,7 +132,7 @@ public:
   {
     drop_isolated();
     measure_noise();
-    constexpr int passes = 3; // the first halves the noise, the third finds nothing to do
+    constexpr int passes = 4; // the first halves the noise, the last finds nothing to do
     for(int pass = 0; pass < passes; ++pass) {
       move();
       drop_thin();
@@ -217,7 +217,7 @@ private:
   /// A thin cloud beside a dense surface is the tail of its noise.
   void drop_thin()
   {
-    constexpr double thin = 0.2; // Gaussian noise at 1.8 standard deviations
+    constexpr double thin = 0.3; // Gaussian noise at 1.6 standard deviations
     const Neighbor_search search(result_.positions.size(),
                                  [&](std::size_t i) { return result_.positions[i]; });
     std::vector<std::size_t> near;
