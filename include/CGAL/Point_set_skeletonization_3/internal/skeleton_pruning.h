@@ -21,6 +21,9 @@ namespace internal {
 /// plate and a dome are 1, a cone of 60 degrees is 1.7; a finger or toe 3 and more.
 constexpr double least_slenderness = 1.25;
 
+/// A limb shows this many patches, a ring around it; fewer are outliers that stick out.
+constexpr std::size_t least_patches = 6;
+
 /// The graph without the vertices marked `removed` and their edges; the order of the rest is kept.
 inline Skeleton_graph without(const Skeleton_graph& graph, const std::vector<bool>& removed)
 {
@@ -68,7 +71,7 @@ public:
         if(branch.size() < 2 || adjacency[branch.front()].size() < 3 ||
            adjacency[branch.back()].size() != 1)
           continue;
-        const double s = slenderness(branch);
+        const double s = number_of_patches(branch) < least_patches ? 0 : slenderness(branch);
         if(s < least) {
           least = s;
           spur = branch;
@@ -82,6 +85,14 @@ public:
   }
 
 private:
+  std::size_t number_of_patches(const Branch& branch) const
+  {
+    std::size_t result = 0;
+    for(std::size_t k = 1; k < branch.size(); ++k)
+      result += patches_of_[branch[k]].size();
+    return result;
+  }
+
   /// The largest ratio of what lies beyond a cross-section of a branch to the width of it, from its
   /// junction to its end.
   double slenderness(const Branch& branch) const

@@ -217,6 +217,7 @@ private:
   /// A thin cloud beside a dense surface is the tail of its noise.
   void drop_thin()
   {
+    constexpr double apart = 1.5;
     constexpr double thin = 0.3; // Gaussian noise at 1.6 standard deviations
     const Neighbor_search search(result_.positions.size(),
                                  [&](std::size_t i) { return result_.positions[i]; });
@@ -225,7 +226,9 @@ private:
     for(std::size_t i = 0; i < mixture_.size(); ++i) {
       if(result_.outlier[i])
         continue;
-      search.within(result_.positions[i], radius(size_), near);
+      // What lies apart from the others is compared with the surface further away.
+      const double reach = spacings_[i] > apart * spacing_ ? 1.5 : 1;
+      search.within(result_.positions[i], reach * radius(size_), near);
       double densest = 0;
       for(std::size_t j : near)
         densest = std::max(densest, density_[j]);
