@@ -129,7 +129,6 @@ public:
     for(std::size_t i = 0; i < samples.size(); ++i)
       outlier[i] = stray[quotient.vertex_of_patch[i]];
 
-    if(getenv("RAW")) { assign_points(assigned_vertices(outlier)); return true; }
     smooth(graph);
     graph = resampled(graph, surface_->spacing);
     extend_ends(graph, surface_points(assigned_vertices(outlier)));

@@ -27,9 +27,10 @@ namespace internal {
 
 struct Projection_options
 {
-  /// Bound on the iterations. From its medial ball a sample in a limb needs a handful; the sheets in
-  /// thick parts contract slowly, but the linking does not ask for that.
-  std::size_t maximum_iterations = (std::size_t)(getenv("IT")?atoi(getenv("IT")):0);
+  /// Bound on the iterations. The centre of the medial ball is where a sample belongs: every step to
+  /// the L1-median of what a kernel shows draws the samples of a bent limb to the inside of the bend,
+  /// and the linking takes the median of a cross-section anyway. So there are none unless asked for.
+  std::size_t maximum_iterations = 0;
 
   /// Kernel radius over the radius of the medial ball. The centre of a round tube attracts under
   /// Eq. 9 for ratios above sqrt(32) = 5.7 only (below, the ring itself does); far above, neighbouring
@@ -176,8 +177,9 @@ Projection_outcome project_samples(std::vector<Sample>& samples, const Oriented_
 {
   options.check();
   Projection_outcome outcome;
-  outcome.reason = samples.empty() ? Projection_stop_reason::empty
-                                   : Projection_stop_reason::iteration_limit;
+  outcome.reason = samples.empty()                   ? Projection_stop_reason::empty
+                   : options.maximum_iterations == 0 ? Projection_stop_reason::converged
+                                                     : Projection_stop_reason::iteration_limit;
   while(outcome.iterations < options.maximum_iterations && !samples.empty()) {
     parallel_for<ConcurrencyTag>(samples.size(), [&](std::size_t i) {
       Sample& s = samples[i]; // reads and writes no other sample: Jacobi and in place at once

@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SKELETON_PRUNING_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SKELETON_PRUNING_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/Connectivity.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 #include <CGAL/Point_set_skeletonization_3/internal/skeleton_branches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface_quotient.h>
@@ -21,7 +22,8 @@ namespace internal {
 /// plate and a dome are 1, a cone of 60 degrees is 1.7; a finger or toe 3 and more.
 constexpr double least_slenderness = 1.25;
 
-/// A limb shows this many patches, a ring around it; fewer are outliers that stick out.
+/// A limb shows this many patches, a ring around it; fewer are outliers that stick out, or that
+/// bridge the gap between two limbs.
 constexpr std::size_t least_patches = 6;
 
 /// The graph without the vertices marked `removed` and their edges; the order of the rest is kept.
@@ -40,7 +42,7 @@ inline Skeleton_graph without(const Skeleton_graph& graph, const std::vector<boo
   return result;
 }
 
-/// Removes the ends that are no limbs.
+/// Removes the ends that are no limbs, and bridges made of a few outliers.
 class Spur_pruning
 {
 public:
@@ -68,10 +70,14 @@ public:
       for(Branch branch : branches(rest)) {
         if(adjacency[branch.front()].size() == 1)
           std::reverse(branch.begin(), branch.end());
-        if(branch.size() < 2 || adjacency[branch.front()].size() < 3 ||
-           adjacency[branch.back()].size() != 1)
+        if(branch.size() < 3 || adjacency[branch.front()].size() < 3 ||
+           adjacency[branch.back()].size() == 2)
           continue;
-        const double s = number_of_patches(branch) < least_patches ? 0 : slenderness(branch);
+        const bool ends = adjacency[branch.back()].size() == 1;
+        const bool thin = number_of_patches(branch, ends) < least_patches;
+        if(!ends && (!thin || !is_detour(branch, rest)))
+          continue;
+        const double s = thin ? 0 : slenderness(branch);
         if(s < least) {
           least = s;
           spur = branch;
@@ -80,43 +86,57 @@ public:
       if(spur.empty())
         return removed;
       for(std::size_t k = 1; k < spur.size(); ++k)
-        removed[spur[k]] = true;
+        removed[spur[k]] = adjacency[spur[k]].size() < 3;
     }
   }
 
 private:
-  std::size_t number_of_patches(const Branch& branch) const
+  /// The patches of a branch, without those of its junctions.
+  std::size_t number_of_patches(const Branch& branch, bool ends) const
   {
     std::size_t result = 0;
-    for(std::size_t k = 1; k < branch.size(); ++k)
+    for(std::size_t k = 1; k + (ends ? 0 : 1) < branch.size(); ++k)
       result += patches_of_[branch[k]].size();
     return result;
   }
 
-  /// The largest ratio of what lies beyond a cross-section of a branch to the width of it, from its
-  /// junction to its end.
+  /// Whether the graph stays as connected as it is without a branch between two junctions.
+  static bool is_detour(const Branch& branch, const Skeleton_graph& graph)
+  {
+    Connectivity connectivity(graph.vertices.size());
+    for(const Skeleton_graph::Edge& e : graph.edges)
+      if(e.first != branch[1] && e.second != branch[1])
+        connectivity.join(e.first, e.second);
+    return connectivity.root(branch.front()) == connectivity.root(branch.back());
+  }
+
+  /// The largest ratio of what lies beyond a cross-section of a branch to half the width of it, from
+  /// its junction to its end.
   double slenderness(const Branch& branch) const
   {
     double result = 0;
     for(std::size_t k = 1; k < branch.size(); ++k) {
       if(branch[k] >= separators_)
         continue;
-      const double width = extent(branch[k], branch[k]);
-      double length = 0;
-      for(std::size_t l = k; l < branch.size(); ++l)
-        length = std::max(length, extent(branch[k], branch[l]));
-      if(width > 0)
-        result = std::max(result, length / width);
+      const std::vector<double> width = distances(branch, k, k + 1);
+      const std::vector<double> length = distances(branch, k, branch.size());
+      // Without the furthest twentieth, two at the least: outliers stick out of the surface.
+      const std::size_t last = length.size() - 1;
+      const std::size_t reached = last - std::min(last, std::max<std::size_t>(2, last / 20));
+      if(width.back() > 0)
+        result = std::max(result, length[reached] / width.back());
     }
     return result;
   }
 
-  /// How far the patches of `w` reach from `v`.
-  double extent(std::size_t v, std::size_t w) const
+  /// How far the patches of some vertices of a branch are from its `k`-th, ascending.
+  std::vector<double> distances(const Branch& branch, std::size_t k, std::size_t end) const
   {
-    double result = 0;
-    for(std::size_t i : patches_of_[w])
-      result = std::max(result, (patches_[i].mean - graph_.vertices[v].position).norm());
+    std::vector<double> result;
+    for(std::size_t l = k; l < end; ++l)
+      for(std::size_t i : patches_of_[branch[l]])
+        result.push_back((patches_[i].mean - graph_.vertices[branch[k]].position).norm());
+    std::sort(result.begin(), result.end());
     return result;
   }
 
