@@ -28,10 +28,11 @@ namespace CGAL {
 /// can be read. `run()` does all steps; or call `fit_mixture()`, `project()` and `link()` in this
 /// order and look at what they leave.
 ///
-/// The default reads the points as the patches of a surface, orients them, moves every patch into
-/// its medial ball and on to the local L1-median of what it sees from inside, and reduces the complex
-/// of what then sees each other inside the shape to a curve: loops survive. With `as_published(true)` it is the method
-/// of Lengauer, Houska and Preiner, whose result is always a tree.
+/// The default takes noise and outliers off, reads what is left as the oriented patches of a
+/// surface, puts a sample in the medial ball of every patch, and cuts the surface along local
+/// separators, rings of patches around limbs (Baerentzen & Rotenberg 2021). Rings and the pieces
+/// between them are joined as they are on the surface, so loops survive. With `as_published(true)`
+/// it is the method of Lengauer, Houska and Preiner, whose result is always a tree.
 ///
 /// \tparam Traits a model of `L1MedialSkeletonizationTraits_3`: any CGAL kernel with inexact
 ///         constructions over `float` or `double`
@@ -79,7 +80,7 @@ public:
     return true;
   }
 
-  /// Step 2: samples to local L1-medians. \returns `false` if the callback cancelled
+  /// Step 2: samples to the middle of the shape. \returns `false` if the callback cancelled
   /// \pre `fit_mixture()` returned `true`
   bool project()
   {
@@ -113,14 +114,15 @@ public:
                                                                          normalization_);
   }
 
-  /// The samples of step 2, in the coordinates of the input.
+  /// The samples of step 2, in the coordinates of the input. By default one per patch of the
+  /// surface, which are fewer than components where noise or outliers were taken off.
   std::vector<Sample> samples() const
   {
     return Point_set_skeletonization_3::internal::public_samples<Traits>(stages_->samples,
                                                                          normalization_);
   }
 
-  /// Number of components of the mixture that the projection reads.
+  /// Number of components of the mixture level that step 2 reads.
   std::size_t number_of_components() const
   {
     return stages_->mixture.empty() ? 0 : stages_->components().size();
@@ -129,13 +131,14 @@ public:
   /// Number of samples.
   std::size_t number_of_samples() const { return stages_->samples.size(); }
 
-  /// Iterations that the projection took.
+  /// Iterations that the projection took; by default none.
   std::size_t number_of_iterations() const { return stages_->outcome.iterations; }
 
   /// Why the projection stopped.
   Projection_stop_reason stop_reason() const { return stages_->outcome.reason; }
 
-  /// Number of input points that belong to no vertex: clusters too small to be part of the shape.
+  /// Number of input points that belong to no vertex: isolated ones, the thin tail of noise, and
+  /// clusters too small to be part of the shape.
   std::size_t number_of_outliers() const
   {
     std::size_t count = 0;

@@ -6,7 +6,8 @@
 
 namespace CGAL {
 
-/// A surface patch that moved to the local L1-median of the shape. Lengths in the unit of the input.
+/// A surface patch, or as published an input point, that moved to the middle of the shape. Lengths
+/// in the unit of the input.
 template <typename GeomTraits>
 struct Medial_sample_3
 {
@@ -16,15 +17,15 @@ struct Medial_sample_3
   Point_3 origin{0, 0, 0}; ///< Where it started: the mean of its patch, or an input point.
   Point_3 point{0, 0, 0};  ///< Where it is.
   FT kernel_radius = 0;    ///< Support radius of its kernel, > 0.
-  FT radius = 0;           ///< Distance to the nearest surface that it sees from inside, >= 0.
-  bool frozen = false;     ///< Whether it has arrived and no longer moves.
+  FT radius = 0;           ///< Distance to the nearest surface that it sees from inside; 0 if none.
+  bool frozen = false;     ///< Whether an iteration found it arrived; it no longer moves.
 };
 
 /// Why a projection stopped.
 enum class Projection_stop_reason
 {
   empty,           ///< There was nothing to project.
-  converged,       ///< No sample moves any more.
+  converged,       ///< No sample moves any more, or none was to.
   iteration_limit, ///< The bound on the iterations was reached first.
   fixed_number,    ///< The published method: its fixed number of iterations is done.
   cancelled        ///< The callback returned `false`.

@@ -29,9 +29,10 @@ namespace CGAL {
 ///     \cgalParamNBegin{callback} \cgalParamDescription{called with the progress in [0, 1], from the
 ///       calling thread; returning `false` cancels} \cgalParamType{`std::function<bool(double)>`}
 ///       \cgalParamDefault{none} \cgalParamNEnd
-///     \cgalParamNBegin{number_of_iterations} \cgalParamDescription{bound on the iterations of the
-///       projection; as published, their fixed number} \cgalParamType{`std::size_t`}
-///       \cgalParamDefault{40; as published 30} \cgalParamNEnd
+///     \cgalParamNBegin{number_of_iterations} \cgalParamDescription{bound on the steps to
+///       L1-medians that follow the medial balls, and draw samples of bent limbs off the axis; as
+///       published, the fixed number of iterations} \cgalParamType{`std::size_t`}
+///       \cgalParamDefault{0; as published 30} \cgalParamNEnd
 ///     \cgalParamNBegin{as_published} \cgalParamDescription{the method as published, for comparison:
 ///       `as_published(true, rest)`, see `CGAL/Point_set_skeletonization_3/parameters.h`}
 ///       \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
