@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
 // SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
 
-// A seed, a bound on the iterations, and the method as it was published beside the default.
+// The method as it was published, with a seed and a number of iterations, beside the default.
 
 #include "read_points.h"
 
@@ -23,13 +23,13 @@ int main(int argc, char** argv)
       argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off"));
 
   Skeleton skeleton;
-  CGAL::extract_l1_medial_skeleton(points, skeleton,
-                                   params::random_seed(42).number_of_iterations(40));
+  CGAL::extract_l1_medial_skeleton(points, skeleton);
   std::cout << "default: " << num_vertices(skeleton) << " vertices\n";
 
   // A parameter of this package takes the others as its second argument.
   Skeleton published;
   CGAL::extract_l1_medial_skeleton(points, published,
-                                   params::as_published(true, params::random_seed(42)));
+                                   params::as_published(
+                                       true, params::random_seed(42).number_of_iterations(20)));
   std::cout << "as published: " << num_vertices(published) << " vertices\n";
 }
