@@ -101,10 +101,13 @@ public:
   {
     if(mixture.empty())
       return progress(1);
-    consolidate();
-    if(!progress(0.2))
+    const Gaussians clean = consolidated();
+    if(!progress(0.3))
       return false;
-    outcome = project_patches<ConcurrencyTag>(*surface_, projection_, progress.part(0.2, 1), samples);
+    surface_ = std::make_unique<Oriented_surface<ConcurrencyTag>>(clean);
+    if(!progress(0.6))
+      return false;
+    outcome = project_patches<ConcurrencyTag>(*surface_, projection_, progress.part(0.6, 1), samples);
     return outcome.reason != Projection_stop_reason::cancelled;
   }
 
@@ -124,21 +127,24 @@ public:
       Spur_pruning(graph, separators.size(), surface_->patches, patches_of).spurs();
     for(std::size_t v = 0; v < removed.size(); ++v)
       removed[v] = removed[v] || stray[v];
+    mark_caps(graph, separators.size(), removed);
     graph = without(graph, removed);
     std::vector<bool> outlier(samples.size());
     for(std::size_t i = 0; i < samples.size(); ++i)
       outlier[i] = stray[quotient.vertex_of_patch[i]];
 
+    if(!progress(0.7))
+      return false;
+
     smooth(graph);
     graph = resampled(graph, surface_->spacing);
+    measure_radii();
+    if(!progress(0.8))
+      return false;
     extend_ends(graph, surface_points(assigned_vertices(outlier)));
     smooth(graph);
-    for(Skeleton_graph::Vertex& v : graph.vertices) {
-      const double radius = visible_distance(v.position, surface_->mixture->finest());
-      if(radius > 0)
-        v.radius = radius;
-    }
-    if(!progress(0.8))
+    measure_radii();
+    if(!progress(0.9))
       return false;
     assign_points(assigned_vertices(outlier));
     return progress(1);
@@ -148,7 +154,7 @@ public:
 
 private:
   /// Patches from the mixture without its noise: components that come to lie in one cell are one.
-  void consolidate()
+  Gaussians consolidated()
   {
     const Gaussians& components = mixture.front();
     const Consolidated_surface clean = Surface_consolidation<ConcurrencyTag>(components)();
@@ -172,7 +178,18 @@ private:
         moments.add(components[i].weight, clean.positions[i]);
       patches.push_back(moments.gaussian());
     }
-    surface_ = std::make_unique<Oriented_surface<ConcurrencyTag>>(patches);
+    return patches;
+  }
+
+  /// The radius of every vertex: how far the surface is that it sees.
+  void measure_radii()
+  {
+    parallel_for<ConcurrencyTag>(graph.vertices.size(), [&](std::size_t v) {
+      const double radius =
+        visible_distance(graph.vertices[v].position, surface_->mixture->finest());
+      if(radius > 0)
+        graph.vertices[v].radius = radius;
+    });
   }
 
   /// The number of points of every vertex.

@@ -72,8 +72,8 @@ inline std::vector<std::vector<std::size_t>> loops(const Skeleton_graph& graph)
 inline bool encloses_air(const std::vector<std::size_t>& loop, const Skeleton_graph& graph,
                          const std::vector<Patch>& patches)
 {
-  constexpr double outside = 0.25; // half a hole's own number
-  constexpr int steps = 8;         // a hole is wider than an eighth of the loop
+  constexpr double outside = 0.4; // 0.5 in the middle of a hole of the data, more behind it
+  constexpr int steps = 16;       // a hole is wider than a sixteenth of the loop
   Vector3 center = Vector3::Zero();
   for(std::size_t v : loop)
     center += graph.vertices[v].position / static_cast<double>(loop.size());

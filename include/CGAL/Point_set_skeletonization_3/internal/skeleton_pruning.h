@@ -42,6 +42,27 @@ inline Skeleton_graph without(const Skeleton_graph& graph, const std::vector<boo
   return result;
 }
 
+/// Marks the pieces at the very end of a limb as removed as well: a cap has no middle of its own, the
+/// end is found from the cross-section before it. The first `separators` vertices are cross-sections.
+inline void mark_caps(const Skeleton_graph& graph, std::size_t separators,
+                      std::vector<bool>& removed)
+{
+  std::vector<std::vector<std::size_t>> adjacency(graph.vertices.size());
+  for(const Skeleton_graph::Edge& e : graph.edges)
+    if(!removed[e.first] && !removed[e.second]) {
+      adjacency[e.first].push_back(e.second);
+      adjacency[e.second].push_back(e.first);
+    }
+  const auto is_cap = [&](std::size_t v) { return v >= separators && adjacency[v].size() == 1; };
+  for(std::size_t v = separators; v < adjacency.size(); ++v) {
+    if(!is_cap(v))
+      continue;
+    // A single cross-section between two caps keeps them: a vertex alone has no direction.
+    const std::vector<std::size_t>& next = adjacency[adjacency[v].front()];
+    removed[v] = std::count_if(next.begin(), next.end(), is_cap) == 1;
+  }
+}
+
 /// Removes the ends that are no limbs, and bridges made of a few outliers.
 class Spur_pruning
 {
@@ -70,12 +91,12 @@ public:
       for(Branch branch : branches(rest)) {
         if(adjacency[branch.front()].size() == 1)
           std::reverse(branch.begin(), branch.end());
-        if(branch.size() < 3 || adjacency[branch.front()].size() < 3 ||
+        if(branch.size() < 2 || adjacency[branch.front()].size() < 3 ||
            adjacency[branch.back()].size() == 2)
           continue;
         const bool ends = adjacency[branch.back()].size() == 1;
         const bool thin = number_of_patches(branch, ends) < least_patches;
-        if(!ends && (!thin || !is_detour(branch, rest)))
+        if(!ends && (branch.size() < 3 || !thin || !is_detour(branch, rest)))
           continue;
         const double s = thin ? 0 : slenderness(branch);
         if(s < least) {

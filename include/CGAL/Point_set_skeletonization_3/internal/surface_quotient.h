@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -141,6 +142,7 @@ inline Surface_quotient surface_quotient(const std::vector<Patch>& patches,
   Surface_cut surface(patches, separators);
   Surface_quotient result;
   result.graph.vertices.resize(separators.size(), {Vector3::Zero(), 0});
+  std::vector<std::pair<std::size_t, std::size_t>> beside; // a vertex beside a separator
   std::vector<std::size_t> vertex_of_piece(2 * separators.size() + patches.size(), none);
   const auto vertex = [&](std::size_t piece) {
     if(vertex_of_piece[piece] == none) {
@@ -152,8 +154,16 @@ inline Surface_quotient surface_quotient(const std::vector<Patch>& patches,
   for(std::size_t s = 0; s < separators.size(); ++s) {
     const std::size_t a = vertex(surface.piece(s, 0)), b = vertex(surface.piece(s, 1));
     result.graph.edges.emplace_back(s, a);
-    if(a != b)
+    if(a != b) {
       result.graph.edges.emplace_back(s, b);
+      continue;
+    }
+    // A handle with one separator: the piece on its far side is the near one. A vertex of its own
+    // makes the loop, lest there be two edges between the same two vertices.
+    result.graph.edges.emplace_back(s, result.graph.vertices.size());
+    result.graph.edges.emplace_back(b, result.graph.vertices.size());
+    beside.emplace_back(result.graph.vertices.size(), s);
+    result.graph.vertices.push_back({Vector3::Zero(), 0});
   }
   for(std::size_t i = 0; i < patches.size(); ++i)
     result.vertex_of_patch.push_back(surface.separator(i) != none ? surface.separator(i)
@@ -166,9 +176,11 @@ inline Surface_quotient surface_quotient(const std::vector<Patch>& patches,
   for(std::size_t v = 0; v < members.size(); ++v)
     empty[v] = members[v].empty();
   for(const Skeleton_graph::Edge& e : result.graph.edges)
-    if(empty[e.second])
+    if(empty[e.second] && e.first < separators.size())
       members[e.second].insert(members[e.second].end(), separators[e.first].patches.begin(),
                                separators[e.first].patches.end());
+  for(const auto& pair : beside)
+    members[pair.first] = separators[pair.second].sides[1];
   for(std::size_t v = 0; v < members.size(); ++v)
     result.graph.vertices[v] = middle(members[v], samples);
   return result;
