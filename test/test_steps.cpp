@@ -64,16 +64,15 @@ TEST_CASE("Every step leaves what the next one reads")
   CHECK(steps.samples().empty());
 
   REQUIRE(steps.project());
-  CHECK(steps.samples().size() == steps.number_of_components());
-  CHECK(steps.number_of_samples() == steps.number_of_components());
-  CHECK(steps.number_of_iterations() > 0);
-  const std::string reason = to_string(steps.stop_reason());
-  CHECK((reason == "converged" || reason == "iteration_limit"));
+  CHECK(!steps.samples().empty());
+  CHECK(steps.samples().size() <= steps.number_of_components()); // outliers have none
+  CHECK(steps.number_of_samples() == steps.samples().size());
+  CHECK(steps.number_of_iterations() == 0); // the centres of medial balls
+  CHECK(std::string(to_string(steps.stop_reason())) == "converged");
   for(const auto& s : steps.samples()) {
     REQUIRE(s.kernel_radius > 0);
     REQUIRE(s.radius >= 0);
-    if(steps.stop_reason() == Projection_stop_reason::converged)
-      REQUIRE(s.frozen);
+    REQUIRE(s.frozen);
   }
 
   REQUIRE(steps.link());
