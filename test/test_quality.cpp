@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+// A representative part of `quality generated` (see benchmark/README.md): shapes whose skeleton is
+// known, as a scanner sees them.
+
+#include "axis_distance.h"
+#include "catch2.h"
+#include "generator/clouds.h"
+#include "generator/families.h"
+#include "graph_counts.h"
+#include "inside_share.h"
+#include "skeleton_checks.h"
+#include "spurs.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/extract_l1_medial_skeleton.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
+using shapes::Variant;
+
+namespace {
+
+constexpr std::size_t number_of_points = 10000;
+
+Skeleton skeleton_of(const shapes::Known_shape& shape, Variant variant)
+{
+  std::vector<Kernel::Point_3> points;
+  for(const shapes::Vector& p : shapes::sample(shape, variant, number_of_points, shape.seed))
+    points.emplace_back(p.x(), p.y(), p.z());
+  Skeleton skeleton;
+  REQUIRE(CGAL::extract_l1_medial_skeleton(points, skeleton));
+  check_valid(skeleton, points.size());
+  return skeleton;
+}
+
+void check_counts(const Skeleton& skeleton, const shapes::Known_shape& shape)
+{
+  const Graph_counts counts = count_graph(skeleton);
+  CHECK(counts.components == shape.components);
+  CHECK(counts.cycles == shape.cycles);
+  CHECK(counts.ends == shape.ends);
+  CHECK(metrics::count_spurs(skeleton) == 0);
+}
+
+void check_centred(const Skeleton& skeleton, const shapes::Known_shape& shape)
+{
+  CHECK(metrics::axis_distance(skeleton, shape.axis, shape.junctions).mean < 0.1);
+}
+
+void check_inside(const Skeleton& skeleton, const shapes::Known_shape& shape)
+{
+  const auto inside = [&shape](const metrics::Point& p) {
+    return shape.solid.signed_distance({p.x(), p.y(), p.z()}) <= 0;
+  };
+  constexpr double step = 0.002; // the shapes have a size of about one
+  CHECK(metrics::inside_share(skeleton, inside, step) == 1);
+}
+
+} // namespace
+
+TEST_CASE("Clean clouds: exact, centred and inside")
+{
+  const std::string family = GENERATE(as<std::string>(), "ring", "frame", "plant", "knot",
+                                      "body_with_limbs", "parallel_prongs", "two_parts");
+  const unsigned int seed = GENERATE(1u, 2u);
+  CAPTURE(family, seed);
+  const shapes::Known_shape shape = shapes::known_shape(family, seed);
+  const Skeleton skeleton = skeleton_of(shape, Variant::clean);
+  check_counts(skeleton, shape);
+  check_centred(skeleton, shape);
+  check_inside(skeleton, shape);
+}
+
+TEST_CASE("Noise of half a per cent of the diagonal: exact and centred")
+{
+  const std::string family =
+      GENERATE(as<std::string>(), "ring", "frame", "plant", "knot", "body_with_limbs", "two_parts");
+  CAPTURE(family);
+  const shapes::Known_shape shape = shapes::known_shape(family, 1);
+  const Skeleton skeleton = skeleton_of(shape, Variant::noise_half_percent);
+  check_counts(skeleton, shape);
+  check_centred(skeleton, shape);
+}
+
+TEST_CASE("What else a scanner does: exact and centred")
+{
+  const Variant variant = GENERATE(Variant::noise_one_percent, Variant::outliers, Variant::holes,
+                                   Variant::falling_density);
+  const std::string family = GENERATE(as<std::string>(), "ring", "body_with_limbs");
+  CAPTURE(family, shapes::to_string(variant));
+  const shapes::Known_shape shape = shapes::known_shape(family, 1);
+  const Skeleton skeleton = skeleton_of(shape, variant);
+  check_counts(skeleton, shape);
+  check_centred(skeleton, shape);
+}
