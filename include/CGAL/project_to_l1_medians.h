@@ -17,7 +17,7 @@ namespace CGAL {
 /// Moves the patches of a mixture, the components of its finest level, to the middle of the shape:
 /// one sample per component, in their order. A sample goes to the centre of the ball that touches
 /// its patch and patches facing it, and on to the local L1-median in `number_of_iterations` steps
-/// at most, by default 8. Noise and outliers are not taken off here.
+/// at most, by default 3. Noise and outliers are not taken off here.
 ///
 /// \param mixture a mixture of a surface, from `fit_gaussian_mixture()` or elsewhere
 /// \param samples replaced by the result; left untouched if the callback cancels or on an exception

@@ -27,9 +27,10 @@ namespace internal {
 
 struct Projection_options
 {
-  /// Bound on the iterations. From its medial ball a sample in a limb needs a handful; more draw the
-  /// samples of a bend further to its inside. 0 leaves them in the centres of their balls.
-  std::size_t maximum_iterations = 8;
+  /// Bound on the iterations. From its medial ball a sample in a limb needs a few; more draw samples of
+  /// a bend to its inside, and in a sparse cloud towards single patches. 0 leaves them in the centres
+  /// of their balls.
+  std::size_t maximum_iterations = 3;
 
   /// Kernel radius over the radius of the medial ball. The centre of a round tube attracts under
   /// Eq. 9 for ratios above sqrt(32) = 5.7 only (below, the ring itself does); far above, neighbouring
