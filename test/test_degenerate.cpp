@@ -125,7 +125,12 @@ TEST_CASE("Collinear points stay on their line")
         for(const Vector& p : random_box(size, Vector(1, 0, 0), 51))
           points.push_back((regular ? static_cast<double>(points.size()) : p.x()) * direction);
         const Skeleton skeleton = skeleton_of(points, published);
-        CHECK(count_graph(skeleton).components == 1);
+        const Graph_counts counts = count_graph(skeleton);
+        CHECK(counts.components == 1);
+        if(size == 700 && !published) { // a few points need not make a curve
+          CHECK(counts.cycles == 0);
+          CHECK(counts.ends == 2);
+        }
         const double length = (points.back() - points.front()).norm() + 1;
         for(const auto v : boost::make_iterator_range(vertices(skeleton)))
           CHECK(shapes::to_vector(skeleton[v].point).cross(direction).norm() < 1e-6 * length);
