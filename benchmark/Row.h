@@ -4,38 +4,23 @@
 #ifndef POINT_SET_SKELETONIZATION_3_BENCHMARK_ROW_H
 #define POINT_SET_SKELETONIZATION_3_BENCHMARK_ROW_H
 
+#include "Measurements.h"
 #include "Table.h"
-#include "graph_counts.h"
-#include "statistics.h"
 
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
-/// What is known about a shape's skeleton.
-struct Truth
-{
-  std::optional<std::size_t> components, cycles, ends;
-};
-
-/// One skeleton and how good it is. What cannot be known of it is not measured.
-struct Row
+/// One skeleton and how good it is.
+struct Row : Measurements
 {
   std::string shape;   ///< family, model or file
   std::string seed;    ///< of the family
   std::string variant; ///< of the cloud
   std::string method;
   std::size_t points = 0;
-  Truth truth;
-  Graph_counts got;
   double axis_mean = not_measured, axis_maximum = not_measured; ///< local radii
-  double inside = not_measured;                                 ///< share of the length
-  double off_centre = not_measured;                             ///< median
-  std::size_t spurs = 0;
-  double unexplained = not_measured;                              ///< share of the points
-  double moved_mean = not_measured, moved_maximum = not_measured; ///< from the clean cloud's
-                                                                  ///< skeleton, diagonals
   double seconds = not_measured;
   std::string status = "ok"; ///< or what went wrong
 
