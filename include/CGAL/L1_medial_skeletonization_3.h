@@ -6,6 +6,7 @@
 
 #include <CGAL/Curve_skeleton_3.h>
 #include <CGAL/Gaussian_mixture_3.h>
+#include <CGAL/Gaussian_mixture_builder_3.h>
 #include <CGAL/Medial_sample_3.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Published_stages.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Surface_quotient_stages.h>
@@ -64,6 +65,21 @@ public:
     for(auto& p : points_)
       p = normalization_.to_unit(p);
     stages_ = internal::make_stages<ConcurrencyTag>(np);
+  }
+
+  /// Reads points that were streamed. The skeleton then names no input points: all `indices` are
+  /// empty.
+  /// \pre not `as_published`: the published method needs the points themselves
+  template <typename NamedParameters = parameters::Default_named_parameters>
+  explicit L1_medial_skeletonization_3(const Gaussian_mixture_builder_3<Traits>& points,
+                                       const NamedParameters& np = parameters::default_values())
+    : normalization_(points.normalization_)
+    , progress_(Point_set_skeletonization_3::internal::progress_of(np))
+  {
+    namespace internal = Point_set_skeletonization_3::internal;
+    CGAL_precondition(!internal::is_as_published(np));
+    stages_ = std::make_unique<internal::Surface_quotient_stages<ConcurrencyTag>>(
+      internal::default_method_options(np), internal::Fine_cells(points.moments_.grid()));
   }
 
   // The stages refer to the points.
@@ -139,13 +155,7 @@ public:
 
   /// Number of input points that belong to no vertex: isolated ones, the thin tail of noise, and
   /// clusters too small to be part of the shape.
-  std::size_t number_of_outliers() const
-  {
-    std::size_t count = 0;
-    for(std::size_t v : stages_->vertex_of_point)
-      count += v == Stages::none;
-    return count;
-  }
+  std::size_t number_of_outliers() const { return stages_->number_of_outliers; }
 
   /// Replaces `skeleton` by the result of step 3.
   /// \tparam SkeletonGraph `Skeleton`, or a BGL adjacency list whose vertex bundle has `.point`,

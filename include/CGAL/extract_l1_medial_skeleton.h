@@ -56,6 +56,21 @@ bool extract_l1_medial_skeleton(const PointRange& points, Skeleton& skeleton,
   return true;
 }
 
+/// The same of points that were streamed. The skeleton names no input points: all `indices` are
+/// empty. Named parameters are `callback` and `number_of_iterations`.
+template <typename ConcurrencyTag = Sequential_tag, typename Traits, typename Skeleton,
+          typename NamedParameters = parameters::Default_named_parameters>
+bool extract_l1_medial_skeleton(const Gaussian_mixture_builder_3<Traits>& points,
+                                Skeleton& skeleton,
+                                const NamedParameters& np = parameters::default_values())
+{
+  L1_medial_skeletonization_3<Traits, ConcurrencyTag> skeletonization(points, np);
+  if(!skeletonization.run())
+    return false;
+  skeletonization.extract_skeleton(skeleton);
+  return true;
+}
+
 } // namespace CGAL
 
 #endif // CGAL_EXTRACT_L1_MEDIAL_SKELETON_H

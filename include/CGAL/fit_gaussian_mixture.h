@@ -30,6 +30,17 @@ auto fit_gaussian_mixture(const PointRange& points,
   return skeletonization.fit_mixture() ? skeletonization.mixture() : Gaussian_mixture_3<Traits>();
 }
 
+/// The same of points that were streamed. Named parameter is `callback`.
+template <typename ConcurrencyTag = Sequential_tag, typename Traits,
+          typename NamedParameters = parameters::Default_named_parameters>
+Gaussian_mixture_3<Traits>
+fit_gaussian_mixture(const Gaussian_mixture_builder_3<Traits>& points,
+                     const NamedParameters& np = parameters::default_values())
+{
+  L1_medial_skeletonization_3<Traits, ConcurrencyTag> skeletonization(points, np);
+  return skeletonization.fit_mixture() ? skeletonization.mixture() : Gaussian_mixture_3<Traits>();
+}
+
 } // namespace CGAL
 
 #endif // CGAL_FIT_GAUSSIAN_MIXTURE_H

@@ -38,7 +38,8 @@ public:
   std::vector<Sample> samples;
   Projection_outcome outcome;
   Skeleton_graph graph;
-  std::vector<std::size_t> vertex_of_point; ///< `none`: an outlier.
+  std::vector<std::size_t> vertex_of_point; ///< `none`: an outlier. Empty of streamed points.
+  std::size_t number_of_outliers = 0;
 };
 
 } // namespace internal

@@ -24,6 +24,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -86,10 +87,17 @@ class Surface_quotient_stages : public Skeletonization_stages
 public:
   explicit Surface_quotient_stages(const Projection_options& options) : projection_(options) {}
 
+  /// For points that were streamed: all that is left of them are their moments.
+  Surface_quotient_stages(const Projection_options& options, Fine_cells streamed)
+    : projection_(options), streamed_(std::move(streamed))
+  {}
+
   bool fit(const std::vector<Vector3>& points, const Progress& progress) override
   {
     constexpr std::size_t number_of_levels = 3; // for who reads the mixture; we read the first
-    levels_ = grid_moments<ConcurrencyTag>(points, Grid_options(), number_of_levels);
+    const Grid_options options;
+    levels_ = streamed_ ? grid_levels(*streamed_, options, number_of_levels)
+                        : grid_moments<ConcurrencyTag>(points, options, number_of_levels);
     points_ = &points;
     mixture.clear(); // of an earlier call
     for(const Grid_level& level : levels_)
@@ -228,14 +236,23 @@ private:
   void assign_points(const std::vector<std::size_t>& vertex_of_sample)
   {
     const Grid_level& level = levels_.front();
+    double outlier_weight = 0;
+    std::vector<std::size_t> vertex_of_component(level.gaussians.size());
+    for(std::size_t i = 0; i < vertex_of_component.size(); ++i) {
+      const std::size_t patch = patch_of_component_[i];
+      vertex_of_component[i] = patch == none ? none : vertex_of_sample[patch];
+      if(vertex_of_component[i] == none)
+        outlier_weight += level.gaussians[i].weight;
+    }
+    number_of_outliers = static_cast<std::size_t>(outlier_weight); // a sum of whole numbers
     vertex_of_point.resize(points_->size());
     parallel_for<ConcurrencyTag>(points_->size(), [&](std::size_t p) {
-      const std::size_t patch = patch_of_component_[level.cell_index((*points_)[p])];
-      vertex_of_point[p] = patch == none ? none : vertex_of_sample[patch];
+      vertex_of_point[p] = vertex_of_component[level.cell_index((*points_)[p])];
     });
   }
 
   Projection_options projection_;
+  std::optional<Fine_cells> streamed_;
   std::vector<Grid_level> levels_;
   const std::vector<Vector3>* points_ = nullptr;
   std::vector<std::size_t> patch_of_component_; ///< `none` for outliers.

@@ -34,6 +34,9 @@ struct Grid_options
   /// A cloud this small is all detail: every patch is kept.
   std::size_t minimum_patches = 400;
 
+  /// Fine cells outnumber patches by far, so that widths can be chosen in small steps.
+  std::size_t maximum_fine_cells() const { return 32 * maximum_patches; }
+
   std::size_t patches(std::size_t points) const
   {
     const auto wanted = static_cast<std::size_t>(static_cast<double>(points) / points_per_patch);
@@ -144,12 +147,55 @@ private:
   std::unordered_map<Cell, Moments, Hash> cells_;
 };
 
-/// Moments of `points` in a fine grid. The points are cut into blocks of a fixed size whose grids
-/// are added in order, so the sums are the same for any number of threads.
+/// Points are added to grids in blocks of this number, and the grids of the blocks in order: so sums
+/// are the same to the last bit for any number of threads and any chunks of a stream.
+constexpr std::size_t block_size = 1 << 18;
+
+/// Moments of points that come one after the other; the same bits as `fine_grid()` of all of them.
+class Moment_stream
+{
+public:
+  explicit Moment_stream(std::size_t maximum_cells)
+    : maximum_cells_(maximum_cells), blocks_(maximum_cells), block_(maximum_cells)
+  {}
+
+  std::size_t size() const { return size_; }
+
+  void add(const Vector3& p)
+  {
+    block_.add(p);
+    ++size_;
+    if(++size_of_block_ < block_size)
+      return;
+    blocks_.add(std::exchange(block_, Moment_grid(maximum_cells_)));
+    size_of_block_ = 0;
+  }
+
+  void add(const Moment_stream& other)
+  {
+    blocks_.add(other.grid());
+    size_ += other.size_;
+  }
+
+  Moment_grid grid() const
+  {
+    Moment_grid result = blocks_;
+    result.add(block_);
+    return result;
+  }
+
+private:
+  std::size_t maximum_cells_;
+  std::size_t size_ = 0;
+  std::size_t size_of_block_ = 0;
+  Moment_grid blocks_;
+  Moment_grid block_; ///< Of the points since the last full block.
+};
+
+/// Moments of `points` in a fine grid.
 template <typename ConcurrencyTag>
 Moment_grid fine_grid(const std::vector<Vector3>& points, std::size_t maximum_cells)
 {
-  constexpr std::size_t block_size = 1 << 18;
   std::vector<Moment_grid> blocks((points.size() + block_size - 1) / block_size,
                                   Moment_grid(maximum_cells));
   parallel_for<ConcurrencyTag>(blocks.size(), [&](std::size_t b) {
@@ -162,6 +208,26 @@ Moment_grid fine_grid(const std::vector<Vector3>& points, std::size_t maximum_ce
     result.add(std::move(block));
   return result;
 }
+
+/// The cells of a fine grid, from which all levels are merged.
+struct Fine_cells
+{
+  Fine_cells() = default;
+  explicit Fine_cells(const Moment_grid& grid) : cells(grid.sorted()), cell_size(grid.cell_size())
+  {}
+
+  /// A cell's weight is a number of points, and exact.
+  std::size_t number_of_points() const
+  {
+    double sum = 0;
+    for(const auto& cell : cells)
+      sum += cell.second.weight;
+    return static_cast<std::size_t>(sum);
+  }
+
+  std::vector<std::pair<Moment_grid::Cell, Gaussian>> cells; ///< In lexicographic order.
+  double cell_size = 1; ///< In units of the bounding box diagonal.
+};
 
 /// A level of a grid mixture: what the cells hold and how large they are.
 struct Grid_level
@@ -194,9 +260,9 @@ struct Grid_level
 };
 
 /// The cells of `fine` merged into cells `factor` times as wide; merging moments is exact.
-inline Grid_level merged_cells(const std::vector<std::pair<Moment_grid::Cell, Gaussian>>& fine,
-                               double fine_cell_size, std::int32_t factor)
+inline Grid_level merged_cells(const Fine_cells& grid, std::int32_t factor)
 {
+  const auto& fine = grid.cells;
   std::vector<std::pair<Moment_grid::Cell, std::size_t>> order;
   order.reserve(fine.size());
   for(std::size_t i = 0; i < fine.size(); ++i)
@@ -204,7 +270,7 @@ inline Grid_level merged_cells(const std::vector<std::pair<Moment_grid::Cell, Ga
   std::sort(order.begin(), order.end());
 
   Grid_level level;
-  level.fine_cell_size = fine_cell_size;
+  level.fine_cell_size = grid.cell_size;
   level.factor = factor;
   for(std::size_t begin = 0, end; begin < order.size(); begin = end) {
     Moments moments(fine[order[begin].second].second.mean);
@@ -216,39 +282,43 @@ inline Grid_level merged_cells(const std::vector<std::pair<Moment_grid::Cell, Ga
   return level;
 }
 
-/// Grid moments: the mixture whose components are the occupied cells of a grid, with the exact
-/// moments of their points; the first level is the finest grid with at most
-/// `options.patches(points.size())` cells, every next one has cells twice as wide.
-template <typename ConcurrencyTag>
-std::vector<Grid_level> grid_moments(const std::vector<Vector3>& points,
-                                     const Grid_options& options, std::size_t number_of_levels)
+/// The mixture whose components are the occupied cells of a grid, with the exact moments of their
+/// points; the first level is the finest grid with at most `options.patches()` cells, every next one
+/// has cells twice as wide.
+inline std::vector<Grid_level> grid_levels(const Fine_cells& fine, const Grid_options& options,
+                                           std::size_t number_of_levels)
 {
-  options.check();
   std::vector<Grid_level> levels;
-  if(points.empty())
+  if(fine.cells.empty())
     return levels;
 
-  // Fine cells outnumber patches by far, so that widths can be chosen in small steps.
-  const std::size_t wanted = options.patches(points.size());
-  const Moment_grid grid = fine_grid<ConcurrencyTag>(points, 32 * options.maximum_patches);
-  const auto fine = grid.sorted();
-
+  const std::size_t wanted = options.patches(fine.number_of_points());
   std::int32_t factor = 1;
-  Grid_level level = merged_cells(fine, grid.cell_size(), factor);
+  Grid_level level = merged_cells(fine, factor);
   while(level.gaussians.size() > wanted) {
     // Occupied cells of a surface fall with the square of their width: step towards the aim, by
     // at least one and never past it.
     const double excess = std::sqrt(static_cast<double>(level.gaussians.size()) /
                                     static_cast<double>(wanted));
     factor = std::max(factor + 1, static_cast<std::int32_t>(factor * std::sqrt(excess)));
-    level = merged_cells(fine, grid.cell_size(), factor);
+    level = merged_cells(fine, factor);
   }
   levels.push_back(std::move(level));
   while(levels.size() < number_of_levels) {
     factor *= 2;
-    levels.push_back(merged_cells(fine, grid.cell_size(), factor));
+    levels.push_back(merged_cells(fine, factor));
   }
   return levels;
+}
+
+/// The mixture of `points`: see `grid_levels()`.
+template <typename ConcurrencyTag>
+std::vector<Grid_level> grid_moments(const std::vector<Vector3>& points,
+                                     const Grid_options& options, std::size_t number_of_levels)
+{
+  options.check();
+  const Fine_cells fine(fine_grid<ConcurrencyTag>(points, options.maximum_fine_cells()));
+  return grid_levels(fine, options, number_of_levels);
 }
 
 } // namespace internal

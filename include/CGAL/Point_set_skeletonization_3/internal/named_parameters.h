@@ -68,17 +68,29 @@ Published_projection_options published_projection_options(const NamedParameters&
   return options;
 }
 
+/// The options of the default method.
+template <typename NamedParameters>
+Projection_options default_method_options(const NamedParameters& np)
+{
+  // The centre of its medial ball is where a sample belongs. A step to the L1-median of what a
+  // kernel shows draws it to the inside of a bend, and the linking takes the median of a whole
+  // cross-section anyway: so there are none unless asked for.
+  return projection_options(np, 0);
+}
+
+template <typename NamedParameters>
+bool is_as_published(const NamedParameters& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::as_published),
+                                      false);
+}
+
 /// The default method or the published one.
 template <typename ConcurrencyTag, typename NamedParameters>
 std::unique_ptr<Skeletonization_stages> make_stages(const NamedParameters& np)
 {
-  const bool published =
-    parameters::choose_parameter(parameters::get_parameter(np, internal_np::as_published), false);
-  if(!published)
-    // The centre of its medial ball is where a sample belongs. A step to the L1-median of what a
-    // kernel shows draws it to the inside of a bend, and the linking takes the median of a whole
-    // cross-section anyway: so there are none unless asked for.
-    return std::make_unique<Surface_quotient_stages<ConcurrencyTag>>(projection_options(np, 0));
+  if(!is_as_published(np))
+    return std::make_unique<Surface_quotient_stages<ConcurrencyTag>>(default_method_options(np));
   const auto seed = parameters::choose_parameter(
     parameters::get_parameter(np, internal_np::random_seed), 0u);
   return std::make_unique<Published_stages<ConcurrencyTag>>(static_cast<unsigned int>(seed),

@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_GAUSSIAN_MIXTURE_BUILDER_3_H
+#define CGAL_GAUSSIAN_MIXTURE_BUILDER_3_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/Normalization.h>
+#include <CGAL/Point_set_skeletonization_3/internal/grid_moments.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+
+template <typename Traits, typename ConcurrencyTag>
+class L1_medial_skeletonization_3;
+
+/// Takes the points of a cloud chunk after chunk and keeps their moments only, so that a cloud
+/// larger than memory can be skeletonised: give it to `extract_l1_medial_skeleton()`,
+/// `L1_medial_skeletonization_3` or `fit_gaussian_mixture()` in place of the points.
+///
+/// The moments are those of the cells of a grid over a given box. Cells are merged 2 x 2 x 2 whenever
+/// more than a bounded number is occupied, which is exact; so memory is bounded, by about 100 MB,
+/// whatever the number of points.
+///
+/// What is inserted into one builder gives the same bits however it is cut into chunks, and if the
+/// box is the bounding box of the points, the bits of the whole range given at once. Another order of
+/// the points, or merging builders, one per thread or machine, changes the moments by rounding only.
+///
+/// \tparam Traits a model of `L1MedialSkeletonizationTraits_3`
+template <typename Traits>
+class Gaussian_mixture_builder_3
+{
+  using Normalization = Point_set_skeletonization_3::internal::Normalization;
+
+public:
+  using FT = typename Traits::FT;
+  using Point_3 = typename Traits::Point_3;
+
+  /// \param box contains all points. The bounding box is best, a larger one only makes the finest
+  ///        grid coarser, whose cells are 1/4096 of the diagonal wide. An empty box contains none.
+  /// \throws std::invalid_argument if the box is not finite
+  explicit Gaussian_mixture_builder_3(const Bbox_3& box)
+    : box_(box), normalization_(normalization_of(box))
+  {}
+
+  /// Adds the points of a range, which is read once.
+  /// \param np `point_map`, as for `extract_l1_medial_skeleton()`
+  /// \throws std::invalid_argument if a coordinate is not finite or a point outside the box. The
+  ///         message names the point, counted from the first one inserted; those before it are in.
+  template <typename PointRange, typename NamedParameters = parameters::Default_named_parameters>
+  void insert(const PointRange& points, const NamedParameters& np = parameters::default_values())
+  {
+    using Helper = Point_set_processing_3_np_helper<PointRange, NamedParameters>;
+    const auto map = Helper::get_const_point_map(points, np);
+    for(const auto& item : points)
+      insert_point(Normalization::vector(get(map, item)));
+  }
+
+  /// Adds the points of another builder.
+  /// \pre `other` has the same box
+  void merge(const Gaussian_mixture_builder_3& other)
+  {
+    CGAL_precondition(other.box_ == box_);
+    moments_.add(other.moments_);
+  }
+
+  const Bbox_3& box() const { return box_; }
+
+  std::size_t number_of_points() const { return moments_.size(); }
+
+private:
+  template <typename T, typename ConcurrencyTag>
+  friend class L1_medial_skeletonization_3;
+
+  static Normalization normalization_of(const Bbox_3& box)
+  {
+    using Vector3 = Point_set_skeletonization_3::internal::Vector3;
+    if(box.xmin() > box.xmax())
+      return Normalization();
+    const Vector3 lower(box.xmin(), box.ymin(), box.zmin());
+    const Vector3 upper(box.xmax(), box.ymax(), box.zmax());
+    if(!lower.allFinite() || !upper.allFinite())
+      throw std::invalid_argument("the box of the points is not finite");
+    return Normalization(lower, upper);
+  }
+
+  void insert_point(const Point_set_skeletonization_3::internal::Vector3& p)
+  {
+    if(!p.allFinite())
+      fail("has a coordinate that is not finite; remove or repair it");
+    const bool inside = box_.xmin() <= p.x() && p.x() <= box_.xmax() && //
+                        box_.ymin() <= p.y() && p.y() <= box_.ymax() && //
+                        box_.zmin() <= p.z() && p.z() <= box_.zmax();
+    if(!inside)
+      fail("is outside the given box; enlarge the box");
+    moments_.add(normalization_.to_unit(p));
+  }
+
+  [[noreturn]] void fail(const std::string& why) const
+  {
+    throw std::invalid_argument("point " + std::to_string(number_of_points()) + ' ' + why);
+  }
+
+  Bbox_3 box_;
+  Normalization normalization_;
+  Point_set_skeletonization_3::internal::Moment_stream moments_{
+    Point_set_skeletonization_3::internal::Grid_options().maximum_fine_cells()};
+};
+
+} // namespace CGAL
+
+#endif // CGAL_GAUSSIAN_MIXTURE_BUILDER_3_H
