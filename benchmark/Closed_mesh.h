@@ -4,22 +4,16 @@
 #ifndef POINT_SET_SKELETONIZATION_3_BENCHMARK_CLOSED_MESH_H
 #define POINT_SET_SKELETONIZATION_3_BENCHMARK_CLOSED_MESH_H
 
-#include "methods.h"
+#include "methods/components_of.h"
 #include "read_points.h"
 
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <cstddef>
-#include <utility>
-#include <vector>
-
-using Mesh = CGAL::Surface_mesh<Point>;
 
 /// The triangle mesh of a file's faces. If they make no closed mesh as they are, equal points
 /// become one: then they may.
@@ -40,14 +34,6 @@ inline Mesh to_triangle_mesh(Points_and_faces<Point> soup)
   PMP::repair_polygon_soup(soup.points, soup.faces);
   PMP::orient_polygon_soup(soup.points, soup.faces);
   return to_mesh();
-}
-
-/// The connected components of a mesh.
-inline std::vector<Mesh> components_of(const Mesh& mesh)
-{
-  std::vector<Mesh> components;
-  CGAL::Polygon_mesh_processing::split_connected_components(mesh, components);
-  return components;
 }
 
 /// Number of handles of a closed surface with one component, from its Euler characteristic.

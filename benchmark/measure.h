@@ -6,7 +6,7 @@
 
 #include "Quality_options.h"
 #include "Row.h"
-#include "methods.h"
+#include "Outcome.h"
 #include "skeleton_distance.h"
 #include "spurs.h"
 #include "unexplained_points.h"

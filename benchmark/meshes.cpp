@@ -6,10 +6,11 @@
 #include "Closed_mesh.h"
 #include "Report.h"
 #include "inside_share.h"
-#include "mean_curvature_flow.h"
 #include "measure.h"
 #include "nearest_point_radii.h"
+#include "methods/mcf.h"
 #include "off_centre.h"
+#include "remesh.h"
 #include "sample_surface.h"
 
 #include "generator/Random.h"
@@ -145,11 +146,9 @@ void add_mesh_rows(const Model& model, const Quality_options& options, std::vect
 {
   constexpr double edge_length = 0.01; // diagonals; some 20 000 vertices
   const auto add = [&](const std::string& variant, const std::vector<Mesh>& components) {
-    Outcome outcome = run_method("MCF", [&] {
-      if(!model.is_closed)
-        throw std::runtime_error("mesh is open");
-      return mean_curvature_flow_skeleton(components);
-    });
+    Method_input input;
+    input.components = components;
+    Outcome outcome = run_method("MCF", mcf, input);
     metrics::set_nearest_point_radii(outcome.skeleton, model.points);
     rows.push_back(row_of(model, variant, outcome, model.points, options));
   };

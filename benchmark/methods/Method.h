@@ -49,4 +49,11 @@ auto timed_stage(Method_result& result, const std::string& name, const Work& wor
   return work();
 }
 
+/// What `next` returned after `first` had made its input: with the stages of both.
+inline Method_result after(const Method_result& first, Method_result next)
+{
+  next.stages.insert(next.stages.begin(), first.stages.begin(), first.stages.end());
+  return next;
+}
+
 #endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_METHODS_METHOD_H

@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#include "Outcome.h"
+
+#include "methods/defect_of.h"
+#include "methods/l1_medial.h"
+#include "methods/l1_medial_published.h"
+
+#include <CGAL/Real_timer.h>
+
+#include <exception>
+#include <utility>
+
+Outcome run_method(const std::string& name, Method_result (&method)(const Method_input&),
+                   const Method_input& input)
+{
+  Outcome outcome;
+  outcome.method = name;
+  CGAL::Real_timer timer;
+  timer.start();
+  try {
+    Skeleton skeleton = method(input).skeleton;
+    const std::string defect = defect_of(skeleton);
+    if(defect.empty())
+      outcome.skeleton = std::move(skeleton);
+    else
+      outcome.status = defect;
+  } catch(const std::exception& error) {
+    outcome.status = error.what();
+  }
+  outcome.seconds = timer.time();
+  return outcome;
+}
+
+std::vector<Outcome> skeletonize(const std::vector<Point>& points, bool also_as_published)
+{
+  Method_input input;
+  input.points = points;
+  std::vector<Outcome> outcomes;
+  outcomes.push_back(run_method("default", l1_medial, input));
+  if(also_as_published)
+    outcomes.push_back(run_method("published", l1_medial_published, input));
+  return outcomes;
+}

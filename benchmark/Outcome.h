@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef POINT_SET_SKELETONIZATION_3_BENCHMARK_OUTCOME_H
+#define POINT_SET_SKELETONIZATION_3_BENCHMARK_OUTCOME_H
+
+#include "methods/Method.h"
+
+#include <string>
+#include <vector>
+
+/// What a method made of a cloud or a mesh.
+struct Outcome
+{
+  std::string method;
+  Skeleton skeleton;
+  double seconds = 0;
+  std::string status = "ok"; ///< or what went wrong
+};
+
+/// Times a method and keeps what it returns or throws.
+Outcome run_method(const std::string& name, Method_result (&method)(const Method_input&),
+                   const Method_input& input);
+
+/// This package on a raw cloud, by default and, if wanted, as published.
+std::vector<Outcome> skeletonize(const std::vector<Point>& points, bool also_as_published);
+
+#endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_OUTCOME_H

@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#include "alpha_wrap.h"
+
+#include "components_of.h"
+
+#include <CGAL/alpha_wrap_3.h>
+#include <CGAL/compute_average_spacing.h>
+
+double average_spacing(const std::vector<Point>& points)
+{
+  constexpr unsigned int neighbours = 6; // as in CGAL's examples
+  return CGAL::compute_average_spacing<CGAL::Sequential_tag>(points, neighbours);
+}
+
+std::vector<Mesh> alpha_wrap(const std::vector<Point>& points)
+{
+  constexpr double alpha = 3, offset = 0.3; // spacings
+  const double spacing = average_spacing(points);
+  Mesh wrap;
+  CGAL::alpha_wrap_3(points, alpha * spacing, offset * spacing, wrap);
+  return components_of(wrap);
+}

@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef POINT_SET_SKELETONIZATION_3_BENCHMARK_METHODS_ALPHA_WRAP_H
+#define POINT_SET_SKELETONIZATION_3_BENCHMARK_METHODS_ALPHA_WRAP_H
+
+#include "Method.h"
+
+#include <vector>
+
+/// The mean distance of a point to its six nearest, in the unit of the points.
+double average_spacing(const std::vector<Point>& points);
+
+/// The closed surface around the points: Portaneri, Rouxel-Labbe, Hemmer, Cohen-Steiner, Alliez,
+/// "Alpha Wrapping with an Offset", SIGGRAPH 2022. Balls of alpha do not get in between the points:
+/// alpha is 3 spacings, which closes the gaps of random samples, the offset 0.3 spacings.
+/// \return its components \pre there are points
+std::vector<Mesh> alpha_wrap(const std::vector<Point>& points);
+
+#endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_METHODS_ALPHA_WRAP_H

@@ -1,0 +1,11 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#include "l1_medial_published.h"
+
+#include "l1_medial_stages.h"
+
+Method_result l1_medial_published(const Method_input& input)
+{
+  return l1_medial_stages(input, true);
+}
