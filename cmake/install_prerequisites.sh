@@ -3,7 +3,9 @@
 # Does nothing if nothing is missing.
 set -eu
 packages="cmake ninja-build g++ libcgal-dev libeigen3-dev libtbb-dev catch2 libcli11-dev
-  nlohmann-json3-dev python3-matplotlib"
+  nlohmann-json3-dev python3-matplotlib
+  libjs-three libjs-chart.js libjs-jquery libjs-jquery-tablesorter
+  chromium chromium-driver python3-selenium"
 
 missing=
 for package in $packages; do

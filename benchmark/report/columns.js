@@ -3,16 +3,16 @@
 
 const METHODS = {
   l1_medial: { label: 'This package', color: '#0b4f9e', point: 'circle' },
-  l1_medial_published: { label: 'As published', color: '#4da3dd', point: 'circle' },
+  l1_medial_published: { label: 'As published', color: '#3d97d3', point: 'circle' },
   l1_wlop: { label: 'L1-WLOP', color: '#e07b00', point: 'rect' },
   lapcon10: { label: 'LapCon10', color: '#8c510a', point: 'rectRot' },
   rosa: { label: 'ROSA', color: '#7b3fa0', point: 'triangle' },
   tangent_ball: { label: 'Tangent Ball', color: '#4a4a4a', point: 'cross' },
   mcf: { label: 'MCF', color: '#1a7a35', point: 'rect' },
   wrap_mcf: { label: 'Alpha wrap, MCF', color: '#55a630', point: 'rectRot' },
-  poisson_mcf: { label: 'Poisson, MCF', color: '#94b447', point: 'triangle' },
+  poisson_mcf: { label: 'Poisson, MCF', color: '#7d9a1e', point: 'triangle' },
   lapcon08_vc: { label: 'LapCon08VC', color: '#a3195b', point: 'star' },
-  lapcon08_ec: { label: 'LapCon08EC', color: '#e377c2', point: 'crossRot' },
+  lapcon08_ec: { label: 'LapCon08EC', color: '#d45fb0', point: 'crossRot' },
   wave_fronts: { label: 'Wave Fronts', color: '#00868b', point: 'star' },
   teasar: { label: 'TEASAR', color: '#a08a00', point: 'crossRot' },
 };

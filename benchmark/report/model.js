@@ -66,7 +66,7 @@ function makeScene(row, size, withCloud = true) {
     scene.add(object);
   };
   if (withCloud)
-    add(pointsObject(scaled(results.clouds[row.cloud].points), '#a9b0b8', 0.6 * size.line,
+    add(pointsObject(scaled(results.clouds[row.cloud].points), '#a9b0b8', 0.7 * size.line,
       { depthWrite: false, opacity: 0.7 }), 0);
   if (!row.skeleton || row.skeleton.edges.length === 0)
     return scene;

@@ -17,10 +17,10 @@ const countAxis = {
   ticks: [0, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000, 50000, 100000],
 };
 
-function countScale(title) {
+function countScale() {
   return {
     min: 0,
-    title: { display: title !== '', text: title },
+    grace: '5%',
     ticks: { callback: (value) => countAxis.fromAxis(value) },
     afterBuildTicks: (axis) => {
       axis.ticks = countAxis.ticks.map((count) => ({ value: countAxis.toAxis(count) }))
@@ -33,7 +33,7 @@ function logarithmicScale(title) {
   return {
     type: 'logarithmic',
     title: { display: title !== '', text: title },
-    ticks: { callback: (value) => // 1, 2 and 5 of every power of ten
+    ticks: { maxRotation: 0, callback: (value) => // 1, 2 and 5 of every power of ten
       '125'.includes(value.toExponential(0)[0]) ? String(Number(value.toPrecision(1))) : '' },
   };
 }
@@ -53,27 +53,37 @@ function addChart(parent, label, config) {
   charts.push(new Chart(canvas, config));
 }
 
-/// One small plot per shape, a line per method: a value of its rows against their noise.
+/// One small plot per shape that has anything to show, a line per method: a value of its rows
+/// against their noise.
 /// \param value a function of a row; null if there is none
 /// \param tip the text for the value at the pointer
 function addNoisePlots(id, levels, value, scale, tip) {
   const parent = document.getElementById(id);
+  const valueAt = (variant, input, noise) => {
+    const row = rowAt(variant, input, noise);
+    return row && row.metrics ? value(row) : null;
+  };
   for (const input of inputs) {
-    const datasets = variants.map((variant) => ({ ...curveStyle(variant),
-      data: levels.map((noise) => {
-        const row = rowAt(variant, input, noise);
-        return { x: noise, y: row && row.metrics ? value(row) : null };
-      }) }));
-    addChart(parent, `${id} of ${input}`, { type: 'line', data: { datasets }, options: {
-      aspectRatio: 1.1,
-      plugins: { title: { display: true, text: input },
-        tooltip: { callbacks: { title: ([item]) => `noise ${item.parsed.x}`,
-          label: (item) => `${item.dataset.label}: ${tip(item.parsed.y)}` } } },
-      scales: { y: scale, x: { type: 'linear', min: 0, max: levels[levels.length - 1],
-        afterBuildTicks: (axis) => { axis.ticks = levels.map((noise) => ({ value: noise })); },
-        ticks: { callback: (noise) => String(noise), maxRotation: 60, autoSkip: false } } },
-    } });
+    const datasets = variants.map((variant) => ({ ...curveStyle(variant), clip: 8,
+      data: levels.map((noise) => ({ x: noise, y: valueAt(variant, input, noise) })) }));
+    if (datasets.some(({ data }) => data.some(({ y }) => y !== null)))
+      addChart(parent, `${id} of ${input}`,
+        noisePlot(input, levels, datasets, scale, tip));
   }
+  if (!parent.hasChildNodes())
+    parent.append('Not measured: this needs several levels of noise.');
+}
+
+function noisePlot(input, levels, datasets, scale, tip) {
+  const noiseAxis = { type: 'linear', min: 0, max: levels[levels.length - 1],
+    afterBuildTicks: (axis) => { axis.ticks = levels.map((noise) => ({ value: noise })); },
+    ticks: { callback: (noise) => String(noise), maxRotation: 60, autoSkip: false } };
+  return { type: 'line', data: { datasets }, options: {
+    aspectRatio: 1.1,
+    plugins: { title: { display: true, text: input },
+      tooltip: { callbacks: { title: ([item]) => `noise ${item.parsed.x}`,
+        label: (item) => `${item.dataset.label}: ${tip(item.parsed.y)}` } } },
+    scales: { x: noiseAxis, y: scale } } };
 }
 
 /// One line per method, one dot per shape.
@@ -87,7 +97,7 @@ function makeSecondPlot() {
       maintainAspectRatio: false,
       plugins: { tooltip: { callbacks: {
         label: (item) => `${item.dataset.label}, ${item.raw.input}: ${seconds(item.raw.x)} s` } } },
-      scales: { x: { ...logarithmicScale('seconds') },
+      scales: { x: logarithmicScale('seconds'),
         y: { min: -0.5, max: variants.length - 0.5, reverse: true,
           afterBuildTicks: (axis) => { axis.ticks = variants.map((_, value) => ({ value })); },
           ticks: { autoSkip: false, callback: (line) => styleOf(variants[line]).label } } },
@@ -132,7 +142,7 @@ function makeLegend() {
 function makePlots() {
   makeLegend();
   addNoisePlots('junction_plots', noiseLevels,
-    (row) => countAxis.toAxis(row.metrics.junctions), countScale(''), countAxis.fromAxis);
+    (row) => countAxis.toAxis(row.metrics.junctions), countScale(), countAxis.fromAxis);
   addNoisePlots('stability_plots', noiseLevels.filter((noise) => noise > 0),
     (row) => row.metrics.moved_mean, logarithmicScale(''), (value) => value.toPrecision(2));
   makeSecondPlot();

@@ -1,8 +1,8 @@
 'use strict';
 // Table 1 beside the paper's, and all rows; tablesorter sorts and filters.
 
-function sortable(table, options) {
-  $(table).tablesorter({ emptyTo: 'bottom', sortReset: true, sortRestart: true, ...options });
+function sortable(table, options = {}) {
+  $(table).tablesorter({ emptyTo: 'bottom', stringTo: 'max', sortReset: true, sortRestart: true, ...options });
 }
 
 /// The stages of several rows in the order in which they come.
@@ -14,6 +14,7 @@ function numberCell(text, className = '') {
   return element('td', { className: `number ${className}` }, text);
 }
 
+/// Ours; the status sorts after all numbers.
 function secondsCell(row) {
   if (!row)
     return numberCell('');
@@ -32,47 +33,59 @@ function paperMethod(variant) {
   return paper.methods.find((method) => method.ours.includes(variant));
 }
 
+/// The paper's models, each with our shapes of its kind; then our other shapes.
+const KINDS = (() => {
+  const known = paper.models.map((model, place) => ({ ...model, place,
+    inputs: inputs.filter((input) => model.here.includes(input)) }));
+  const others = inputs.filter((input) => known.every((kind) => !kind.inputs.includes(input)));
+  return others.length === 0 ? known : [...known, { kind: 'other shapes', inputs: others }];
+})();
+
+/// The cells of a line, kind by kind.
+/// \param theirs a function of the place of the paper's model; \param ours of our shape
+function byKind(theirs, ours) {
+  return KINDS.flatMap(({ place, inputs: shapes }) =>
+    [...(place === undefined ? [] : [theirs(place)]), ...shapes.map(ours)]);
+}
+
+/// A line of the paper's seconds or of none, and of our cells.
+function secondLine(name, className, paperSeconds, cellOf) {
+  return element('tr', { className }, element('th', { scope: 'row' }, name),
+    ...byKind((place) => numberCell(paperSeconds ? paperSeconds[place].toFixed(2) : '', 'paper'),
+      cellOf));
+}
+
 /// A method's line, then its stages: the paper's where it gives any, and ours.
 function secondLines(variant) {
   const theirs = paperMethod(variant);
-  const rows = inputs.map((input) => rowAt(variant, input, chosenNoise.value));
-  const { label } = styleOf(variant);
-  const line = element('tr', {}, element('th', { scope: 'row' }, label),
-    ...paper.models.map((_, i) => numberCell(theirs ? theirs.seconds[i].toFixed(2) : '', 'paper')),
-    ...rows.map(secondsCell));
-  const child = (name, paperSeconds, ourSeconds) => element('tr',
-    { className: 'tablesorter-childRow stage' }, element('th', { scope: 'row' }, name),
-    ...paper.models.map((_, i) => numberCell(paperSeconds ? paperSeconds[i].toFixed(2) : '',
-      'paper')),
-    ...ourSeconds.map((value) => numberCell(seconds(value))));
-  const none = inputs.map(() => null);
-  const paperStages = (theirs && theirs.stages || [])
-    .map((stage) => child(`${stage.name} (paper)`, stage.seconds, none));
-  const ours = stageNames(rows.filter((row) => row));
-  const ourStages = (ours.length > 1 ? ours : [])
-    .map((name) => child(name, null, rows.map((row) => stageSeconds(row, name))));
-  return [line, ...paperStages, ...ourStages];
+  const rowOf = (input) => rowAt(variant, input, chosenNoise.value);
+  const stage = (...line) => secondLine(line[0], 'tablesorter-childRow stage', ...line.slice(1));
+  const names = stageNames(inputs.map(rowOf).filter((row) => row));
+  return [
+    secondLine(styleOf(variant).label, '', theirs && theirs.seconds,
+      (input) => secondsCell(rowOf(input))),
+    ...(theirs && theirs.stages || []).map(({ name, seconds: values }) =>
+      stage(`${name} (paper)`, values, () => numberCell(''))),
+    ...(names.length > 1 ? names : []).map((name) =>
+      stage(name, null, (input) => numberCell(seconds(stageSeconds(rowOf(input), name))))),
+  ];
 }
 
 function makeSecondTable() {
-  const heading = (text, span, className = '') => {
-    const cell = element('th', { colSpan: span, className: `sorter-false ${className}` }, text);
-    return cell;
-  };
-  const columnHead = (text, kind, className = '') =>
-    element('th', { className, title: kind }, text, element('br'),
-      element('small', {}, kind));
+  const kindHead = ({ kind, place, inputs: shapes }) => element('th',
+    { colSpan: shapes.length + (place === undefined ? 0 : 1), className: 'sorter-false kind' },
+    kind);
+  const columnHead = (name, below, className = '') => element('th',
+    { className: `sorter-digit ${className}` }, name, element('br'), element('small', {}, below));
   const head = element('thead', {},
-    element('tr', {}, heading('', 1),
-      heading('Paper, Table 1: another machine', paper.models.length, 'paper'),
-      heading('Here', inputs.length)),
+    element('tr', {}, element('th', { className: 'sorter-false' }), ...KINDS.map(kindHead)),
     element('tr', {}, element('th', {}, 'method'),
-      ...paper.models.map((model) => columnHead(model.name, model.kind, 'paper')),
-      ...inputs.map((input) => columnHead(input, pointCount(input)))));
+      ...byKind((place) => columnHead(paper.models[place].name, 'paper', 'paper'),
+        (input) => columnHead(input, pointCount(input)))));
   const table = element('table', { id: 'second_table', className: 'sortable' }, head,
     element('tbody', {}, ...variants.flatMap(secondLines)));
   document.getElementById('second_table').replaceWith(table);
-  sortable(table, { sortInitialOrder: 'asc' });
+  sortable(table);
 }
 
 function pointCount(input) {

@@ -19,13 +19,20 @@ namespace {
 const std::vector<std::pair<std::string, std::string>>& methods()
 {
   static const std::vector<std::pair<std::string, std::string>> names_and_inputs = {
-      {"l1_medial", "points"},     {"l1_medial_published", "points"},
-      {"mcf", "mesh"},             {"wrap_mcf", "points"},
-      {"poisson_mcf", "points+normals"}, {"l1_wlop", "points"},
-      {"rosa", "points+normals"},  {"lapcon10", "points"},
-      {"lapcon08_vc", "mesh"},     {"lapcon08_ec", "wrapped mesh"},
-      {"wave_fronts", "mesh"},     {"wave_fronts", "decimated mesh"},
-      {"teasar", "mesh"},          {"tangent_ball", "points+normals"},
+      {"l1_medial", "points"},
+      {"l1_medial_published", "points"},
+      {"mcf", "mesh"},
+      {"wrap_mcf", "points"},
+      {"poisson_mcf", "points+normals"},
+      {"l1_wlop", "points"},
+      {"rosa", "points+normals"},
+      {"lapcon10", "points"},
+      {"lapcon08_vc", "mesh"},
+      {"lapcon08_ec", "wrapped mesh"},
+      {"wave_fronts", "mesh"},
+      {"wave_fronts", "decimated mesh"},
+      {"teasar", "mesh"},
+      {"tangent_ball", "points+normals"},
       {"a_new_one", "points"}};
   return names_and_inputs;
 }
