@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <iostream>
@@ -25,7 +26,9 @@ struct Options
   std::vector<std::string> outputs;
   std::string points;
   bool as_published = false;
-  std::size_t sample = 0; ///< 0: take the vertices
+  bool stream = false;
+  std::vector<double> box; ///< smallest x, y, z, then largest; empty: read the file twice
+  std::size_t sample = 0;  ///< 0: take the vertices
   int threads = 0;        ///< 0: all cores
   unsigned int seed = 0;
   bool stats = false;
@@ -75,6 +78,29 @@ inline void check_outputs(const Options& options)
   check_output(options.points, options.input);
 }
 
+/// \throw std::runtime_error
+inline void check_box(const std::vector<double>& box)
+{
+  for(std::size_t k = 0; k < box.size() / 2; ++k)
+    if(!std::isfinite(box[k]) || !std::isfinite(box[k + 3]) || box[k] > box[k + 3])
+      throw std::runtime_error("--box: give the smallest x, y and z, then the largest");
+}
+
+/// For clouds larger than memory: what needs all points at a time is out of question.
+inline void add_stream_options(CLI::App& app, Options& options)
+{
+  CLI::Option* stream =
+      app.add_flag("--stream", options.stream,
+                   "read .ply, .xyz or .las point after point, in little memory of any size");
+  for(const char* other : {"--as-published", "--sample", "--points"})
+    stream->excludes(app.get_option(other));
+  app.add_option("--box", options.box,
+                 "XMIN YMIN ZMIN XMAX YMAX ZMAX that contain all points; else read twice")
+      ->type_name("X")
+      ->expected(6)
+      ->needs(stream);
+}
+
 /// \throw std::runtime_error with a message of one line
 inline Parsed parse_options(int argc, char** argv)
 {
@@ -92,6 +118,7 @@ inline Parsed parse_options(int argc, char** argv)
   app.add_option("--sample", options.sample, "draw N points from the surface of a mesh instead")
       ->type_name("N")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+  add_stream_options(app, options);
   app.add_option("--threads", options.threads, "number of threads [all cores]")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
@@ -106,6 +133,7 @@ inline Parsed parse_options(int argc, char** argv)
   } catch(const CLI::ParseError& error) {
     throw std::runtime_error(std::string(error.what()) + " (try --help)");
   }
+  check_box(options.box);
   check_outputs(options);
   return {true, options};
 }

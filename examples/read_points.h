@@ -162,8 +162,6 @@ bool is_finite(const FT& x)
 template <typename Point>
 void check_points(const std::string& filename, const Points_and_faces<Point>& result)
 {
-  if(result.points.empty())
-    fail(filename, "there are no points in it");
   for(std::size_t i = 0; i < result.points.size(); ++i) {
     const Point& p = result.points[i];
     if(!is_finite(p.x()) || !is_finite(p.y()) || !is_finite(p.z()))
@@ -174,6 +172,40 @@ void check_points(const std::string& filename, const Points_and_faces<Point>& re
       if(v >= result.points.size())
         fail(filename, "face " + std::to_string(i) + " names vertex " + std::to_string(v) + " of " +
                            std::to_string(result.points.size()));
+}
+
+/// Opens a file and hands it to `read` with its format. \throw std::runtime_error that says in one
+/// line what is wrong and where
+/// \param read returns whether it succeeded, or throws std::invalid_argument to say what is wrong
+/// \param size returns the number of points read so far
+template <typename Read, typename Size>
+void read_file(const std::string& filename, const Read& read, const Size& size)
+{
+  std::ifstream file(filename, std::ios::binary);
+  const std::string format = check_format(filename, file);
+  const bool text =
+      format == ".xyz" || ((format == ".off" || format == ".ply") && !is_binary(file));
+
+  Text_buffer buffer(file);
+  std::istream lines(&buffer);
+  const auto line = [&buffer] { return "line " + std::to_string(buffer.line_number()); };
+  bool success = false;
+  try {
+    const Silent_cerr silence;
+    success = read(text ? lines : static_cast<std::istream&>(file), format);
+  } catch(const std::invalid_argument& error) {
+    fail(filename, (text ? line() + ": " : "") + error.what());
+  } catch(const std::exception&) {
+    // A broken file makes some readers ask for more memory than there is.
+  }
+  if(!success && text)
+    fail(filename, line() + (format == ".xyz" ? " is neither 'x y z' nor 'x y z nx ny nz'"
+                             : file.eof()     ? " is the last, but more is expected"
+                                              : " is not understood"));
+  if(!success)
+    fail(filename, "it breaks off or is damaged after " + std::to_string(size()) + " points");
+  if(size() == 0)
+    fail(filename, "there are no points in it");
 }
 
 } // namespace read_points_internal
@@ -187,29 +219,11 @@ template <typename Point>
 Points_and_faces<Point> read_points_and_faces(const std::string& filename)
 {
   using namespace read_points_internal;
-  std::ifstream file(filename, std::ios::binary);
-  const std::string format = check_format(filename, file);
-  const bool text =
-      format == ".xyz" || ((format == ".off" || format == ".ply") && !is_binary(file));
-
-  Text_buffer buffer(file);
-  std::istream lines(&buffer);
   Points_and_faces<Point> result;
-  bool success = false;
-  try {
-    const Silent_cerr silence;
-    success = read(text ? lines : static_cast<std::istream&>(file), format, result);
-  } catch(const std::exception&) {
-    // A broken file makes some readers ask for more memory than there is.
-  }
-  if(!success && text)
-    fail(filename, "line " + std::to_string(buffer.line_number()) +
-                       (format == ".xyz" ? " is neither 'x y z' nor 'x y z nx ny nz'"
-                        : file.eof()     ? " is the last, but more is expected"
-                                         : " is not understood"));
-  if(!success)
-    fail(filename,
-         "it breaks off or is damaged after " + std::to_string(result.points.size()) + " points");
+  read_file(
+      filename,
+      [&result](std::istream& in, const std::string& format) { return read(in, format, result); },
+      [&result] { return result.points.size(); });
   check_points(filename, result);
   return result;
 }

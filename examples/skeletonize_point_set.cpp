@@ -5,10 +5,13 @@
 
 #include "Options.h"
 #include "Progress_bar.h"
+#include "for_each_point.h"
 #include "graph_counts.h"
 #include "read_points.h"
 #include "sample_surface.h"
 
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Gaussian_mixture_builder_3.h>
 #include <CGAL/IO/Curve_skeleton_3.h>
 #include <CGAL/L1_medial_skeletonization_3.h>
 #include <CGAL/Point_set_skeletonization_3/parameters.h>
@@ -25,12 +28,14 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
+using Builder = CGAL::Gaussian_mixture_builder_3<Kernel>;
 using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
 
 // What --stats prints, and the skeleton.
@@ -41,6 +46,7 @@ struct Result
   std::size_t samples = 0;
   std::size_t iterations = 0;
   std::string stop_reason;
+  std::optional<double> reading_seconds; // of a stream: with the moments, which are not kept apart
   double mixture_seconds = 0;
   double projection_seconds = 0;
   double linking_seconds = 0;
@@ -65,8 +71,9 @@ double seconds_of(const Stage& stage)
   return timer.time();
 }
 
-template <typename ConcurrencyTag>
-Result skeletonize(const std::vector<Point>& points, const Options& options, Progress_bar& bar)
+// Of points, or of what was streamed.
+template <typename ConcurrencyTag, typename Points>
+Result skeletonize(const Points& points, const Options& options, Progress_bar& bar)
 {
   const auto progress = [&bar](double fraction) {
     bar.show(fraction);
@@ -91,8 +98,8 @@ Result skeletonize(const std::vector<Point>& points, const Options& options, Pro
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
-Result skeletonize_with_threads(const std::vector<Point>& points, const Options& options,
-                                Progress_bar& bar)
+template <typename Points>
+Result skeletonize_with_threads(const Points& points, const Options& options, Progress_bar& bar)
 {
   const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
@@ -101,8 +108,8 @@ Result skeletonize_with_threads(const std::vector<Point>& points, const Options&
                       : skeletonize<CGAL::Parallel_tag>(points, options, bar);
 }
 #else
-Result skeletonize_with_threads(const std::vector<Point>& points, const Options& options,
-                                Progress_bar& bar)
+template <typename Points>
+Result skeletonize_with_threads(const Points& points, const Options& options, Progress_bar& bar)
 {
   return skeletonize<CGAL::Sequential_tag>(points, options, bar);
 }
@@ -119,6 +126,15 @@ std::vector<Point> load(const Options& options)
   return points;
 }
 
+Builder stream(const Options& options)
+{
+  const std::vector<double>& b = options.box;
+  Builder builder(b.empty() ? box_of_file<Point>(options.input)
+                            : CGAL::Bbox_3(b[0], b[1], b[2], b[3], b[4], b[5]));
+  for_each_point<Point>(options.input, [&builder](const Point& p) { builder.insert(p); });
+  return builder;
+}
+
 void write_points(const std::string& filename, const std::vector<Point>& points)
 {
   CGAL::Point_set_skeletonization_3::internal::Output_file file(filename);
@@ -130,10 +146,13 @@ void write_points(const std::string& filename, const std::vector<Point>& points)
 void print_stats(std::size_t points, const Result& result, const Graph_counts& counts)
 {
   nlohmann::ordered_json seconds;
+  if(result.reading_seconds)
+    seconds["reading"] = *result.reading_seconds;
   seconds["mixture"] = result.mixture_seconds;
   seconds["projection"] = result.projection_seconds;
   seconds["linking"] = result.linking_seconds;
-  seconds["total"] = result.mixture_seconds + result.projection_seconds + result.linking_seconds;
+  seconds["total"] = result.reading_seconds.value_or(0) + result.mixture_seconds +
+                     result.projection_seconds + result.linking_seconds;
   nlohmann::ordered_json stats;
   stats["points"] = points;
   stats["mixture"] = result.mixture;
@@ -156,24 +175,39 @@ void print_summary(std::size_t points, const Graph_counts& counts)
             << ", length " << counts.length << std::endl;
 }
 
-void run(const Options& options)
+template <typename Points>
+void run(const Points& points, std::size_t size, const Options& options,
+         std::optional<double> reading_seconds = std::nullopt)
 {
-  const std::vector<Point> points = load(options);
   std::signal(SIGINT, on_interrupt);
   Result result;
   {
     Progress_bar bar(!options.quiet);
     result = skeletonize_with_threads(points, options, bar);
   }
-  if(!options.points.empty())
-    write_points(options.points, points);
+  result.reading_seconds = reading_seconds;
   for(const std::string& output : options.outputs)
     CGAL::IO::write_curve_skeleton(output, result.skeleton);
   const Graph_counts counts = count_graph(result.skeleton);
   if(options.stats)
-    print_stats(points.size(), result, counts);
+    print_stats(size, result, counts);
   else if(!options.quiet)
-    print_summary(points.size(), counts);
+    print_summary(size, counts);
+}
+
+void run(const Options& options)
+{
+  if(options.stream) {
+    CGAL::Real_timer timer;
+    timer.start();
+    const Builder points = stream(options);
+    run(points, points.number_of_points(), options, timer.time());
+    return;
+  }
+  const std::vector<Point> points = load(options);
+  run(points, points.size(), options);
+  if(!options.points.empty())
+    write_points(options.points, points);
 }
 
 int main(int argc, char** argv)

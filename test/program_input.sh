@@ -104,6 +104,40 @@ refuses "'index.ply': face 0" index.ply
 refuses "'integers.ply': its vertices" integers.ply
 refuses "'no_x.ply': its vertices" no_x.ply
 
+# Point after point: the same skeleton, or the same complaint.
+for file in mesh.ply cloud.ply binary.ply binary_mesh.ply normals.xyz crlf.xyz crlf.ply; do
+  accepts "$file" --stream
+  check "$file streamed has four points" one_line out "points 4,"
+done
+accepts cloud.xyz --quiet -o at_once.ply
+accepts cloud.xyz --quiet --stream -o streamed.ply
+check "the same skeleton from a stream" cmp at_once.ply streamed.ply
+accepts cloud.xyz --quiet --stream --box -2 -2 -1 2 2 13 -o boxed.ply
+check "a larger box will do" test -s boxed.ply
+refuses "'cloud.xyz': line 501: point 500 is outside the given box" \
+  cloud.xyz --stream --box -2 -2 -1 2 2 9.9999
+refuses "'binary.ply': point 2 is outside the given box" binary.ply --stream --box 0 0 0 1 0.5 1
+refuses "'none.xyz': there is no such file" none.xyz --stream
+refuses "'mesh.off': an .off file cannot be streamed" mesh.off --stream
+for ending in ply xyz; do
+  refuses "'empty.$ending'" "empty.$ending" --stream
+  refuses "'text.$ending': line 1" "text.$ending" --stream
+  refuses "'garbage.$ending'" "garbage.$ending" --stream
+done
+refuses "'wrong.xyz': by its content it is a .off" wrong.xyz --stream
+refuses "'short.ply': line 10" short.ply --stream
+refuses "'short_binary.ply': it breaks off or is damaged after 4 points" short_binary.ply --stream
+refuses "'short_points.ply': it breaks off or is damaged after 3 points" short_points.ply --stream
+refuses "'short.xyz': line 2" short.xyz --stream
+refuses "'nan.xyz': line 3" nan.xyz --stream
+refuses "'intensity.xyz': line 2 is neither" intensity.xyz --stream
+refuses "'nan.ply': point 1 is not finite" nan.ply --stream
+refuses "'nan_text.ply': line 9" nan_text.ply --stream
+refuses "'no_x.ply': its vertices" no_x.ply --stream
+printf '# nothing\n' > comment.xyz
+refuses "'comment.xyz': there are no points" comment.xyz
+refuses "'comment.xyz': there are no points" comment.xyz --stream
+
 # Nothing to sample: a surface without area.
 printf "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n" > flat.off
 refuses "'flat.off'" flat.off --sample 10

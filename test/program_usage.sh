@@ -17,6 +17,13 @@ refuses --sample cloud.xyz --sample -5
 refuses --threads cloud.xyz --threads 0
 refuses --threads cloud.xyz --threads 1.5
 refuses --seed cloud.xyz --seed x
+refuses --sample cloud.xyz --stream --sample 10
+refuses --points cloud.xyz --stream --points points.xyz
+refuses --as-published cloud.xyz --stream --as-published
+refuses --stream cloud.xyz --box 0 0 0 1 1 1
+refuses --box cloud.xyz --stream --box 0 0 0 1 1
+refuses "smallest x, y and z" cloud.xyz --stream --box 0 0 0 1 -1 1
+refuses "smallest x, y and z" cloud.xyz --stream --box 0 0 0 1 inf 1
 refuses "no faces" cloud.xyz --sample 100
 
 accepts cloud.xyz
@@ -29,6 +36,8 @@ order='"points":600,"mixture":.*"samples":.*"iterations":.*"stop_reason":".*"com
 order=$order'.*"ends":.*"junctions":.*"length":.*"seconds":{"mixture":.*"projection":.*"linking":'
 check "one line of statistics" one_line out "{"
 check "the figures in their order" grep -q "^{$order.*\"total\":.*}}\$" out
+accepts cloud.xyz --stats --stream
+check "the reading of a stream" one_line out '"seconds":{"reading":'
 accepts cloud.xyz --stats --quiet
 check "statistics although quiet" one_line out '"points":600'
 

@@ -12,7 +12,6 @@
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -39,6 +38,7 @@ template <typename Traits>
 class Gaussian_mixture_builder_3
 {
   using Normalization = Point_set_skeletonization_3::internal::Normalization;
+  using Vector3 = Point_set_skeletonization_3::internal::Vector3;
 
 public:
   using FT = typename Traits::FT;
@@ -61,7 +61,22 @@ public:
     using Helper = Point_set_processing_3_np_helper<PointRange, NamedParameters>;
     const auto map = Helper::get_const_point_map(points, np);
     for(const auto& item : points)
-      insert_point(Normalization::vector(get(map, item)));
+      insert(get(map, item));
+  }
+
+  /// Adds one point.
+  /// \throws std::invalid_argument as above
+  void insert(const Point_3& point)
+  {
+    const Vector3 p = Normalization::vector(point);
+    if(!p.allFinite())
+      fail("has a coordinate that is not finite; remove or repair it");
+    const bool inside = box_.xmin() <= p.x() && p.x() <= box_.xmax() && //
+                        box_.ymin() <= p.y() && p.y() <= box_.ymax() && //
+                        box_.zmin() <= p.z() && p.z() <= box_.zmax();
+    if(!inside)
+      fail("is outside the given box; enlarge the box");
+    moments_.add(normalization_.to_unit(p));
   }
 
   /// Adds the points of another builder.
@@ -82,7 +97,6 @@ private:
 
   static Normalization normalization_of(const Bbox_3& box)
   {
-    using Vector3 = Point_set_skeletonization_3::internal::Vector3;
     if(box.xmin() > box.xmax())
       return Normalization();
     const Vector3 lower(box.xmin(), box.ymin(), box.zmin());
@@ -90,18 +104,6 @@ private:
     if(!lower.allFinite() || !upper.allFinite())
       throw std::invalid_argument("the box of the points is not finite");
     return Normalization(lower, upper);
-  }
-
-  void insert_point(const Point_set_skeletonization_3::internal::Vector3& p)
-  {
-    if(!p.allFinite())
-      fail("has a coordinate that is not finite; remove or repair it");
-    const bool inside = box_.xmin() <= p.x() && p.x() <= box_.xmax() && //
-                        box_.ymin() <= p.y() && p.y() <= box_.ymax() && //
-                        box_.zmin() <= p.z() && p.z() <= box_.zmax();
-    if(!inside)
-      fail("is outside the given box; enlarge the box");
-    moments_.add(normalization_.to_unit(p));
   }
 
   [[noreturn]] void fail(const std::string& why) const
