@@ -4,16 +4,17 @@
 #ifndef POINT_SET_SKELETONIZATION_3_BENCHMARK_TABLE_H
 #define POINT_SET_SKELETONIZATION_3_BENCHMARK_TABLE_H
 
+#include "Csv.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <functional>
 #include <iomanip>
 #include <ios>
+#include <optional>
 #include <ostream>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,11 +47,8 @@ public:
       : out_(out)
       , columns_(std::move(columns))
   {
-    if(!csv.empty()) {
-      csv_.open(csv);
-      if(!csv_)
-        throw std::runtime_error("cannot write '" + csv + "'");
-    }
+    if(!csv.empty())
+      csv_.emplace(csv);
     write([](const Column& column) { return column.name; });
   }
 
@@ -67,8 +65,8 @@ private:
     for(const Column& column : columns_)
       cells.push_back(cell_of(column));
     write_aligned(cells);
-    if(csv_.is_open())
-      write_csv(cells);
+    if(csv_)
+      csv_->write(cells);
   }
 
   void write_aligned(const std::vector<std::string>& cells)
@@ -82,20 +80,8 @@ private:
     out_ << std::endl;
   }
 
-  void write_csv(const std::vector<std::string>& cells)
-  {
-    for(std::size_t i = 0; i < cells.size(); ++i) {
-      csv_ << (i > 0 ? "," : "");
-      if(cells[i].find_first_of(",\"\n") == std::string::npos)
-        csv_ << cells[i];
-      else
-        csv_ << std::quoted(cells[i], '"', '"');
-    }
-    csv_ << std::endl;
-  }
-
   std::ostream& out_;
-  std::ofstream csv_;
+  std::optional<Csv> csv_;
   std::vector<Column> columns_;
 };
 

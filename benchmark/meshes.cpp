@@ -3,19 +3,11 @@
 
 #include "meshes.h"
 
-#include "Closed_mesh.h"
 #include "Report.h"
-#include "inside_share.h"
 #include "measure.h"
-#include "nearest_point_radii.h"
 #include "methods/mcf.h"
-#include "off_centre.h"
+#include "nearest_point_radii.h"
 #include "remesh.h"
-#include "sample_surface.h"
-
-#include "generator/Random.h"
-
-#include <CGAL/Side_of_triangle_mesh.h>
 
 #include <cstddef>
 #include <exception>
@@ -50,66 +42,13 @@ std::vector<std::string> chosen_files(const Quality_options& options)
   return files;
 }
 
-/// A mesh, points of its surface, and what is true about its skeleton.
-struct Model
-{
-  std::string name;
-  Mesh mesh;
-  std::vector<Mesh> components;
-  bool is_closed = true;
-  double diagonal = 0;
-  std::vector<Point> points;
-  Truth truth;
-};
-
 /// \throw std::runtime_error
-Model read_model(const std::string& file, std::size_t number_of_points)
+Model read_mesh(const std::string& file, std::size_t number_of_points)
 {
-  const Points_and_faces<Point> soup = read_points_and_faces<Point>(file);
-  Model model;
-  model.name = name_of(file);
-  model.points = sample_surface(soup, number_of_points, 0);
-  if(model.points.empty())
+  Model model = read_model(file, number_of_points, 0);
+  if(model.components.empty())
     throw std::runtime_error("it has no faces");
-  model.mesh = to_triangle_mesh(soup);
-  model.components = components_of(model.mesh);
-  model.is_closed = CGAL::is_closed(model.mesh);
-  model.diagonal = diagonal(soup.points);
-  model.truth.components = model.components.size();
-  if(model.is_closed) {
-    model.truth.cycles = 0;
-    for(const Mesh& component : model.components)
-      *model.truth.cycles += genus_of(component);
-  }
   return model;
-}
-
-/// Isotropic Gaussian noise.
-std::vector<Point> with_noise(std::vector<Point> points, double deviation)
-{
-  shapes::Random random(1);
-  for(Point& p : points) {
-    const shapes::Vector offset = deviation * random.normal_vector();
-    p += Kernel::Vector_3(offset.x(), offset.y(), offset.z());
-  }
-  return points;
-}
-
-/// Fills in what can be measured because there is a closed mesh.
-void measure_shape(Row& row, const Skeleton& skeleton, const Model& model)
-{
-  const double step = 0.005 * model.diagonal;
-  row.truth = model.truth;
-  if(!model.is_closed) {
-    row.status = row.status == "ok" ? "mesh is open" : row.status;
-    return;
-  }
-  const CGAL::Side_of_triangle_mesh<Mesh, Kernel> side(model.mesh);
-  const auto inside = [&side](const metrics::Point& p) {
-    return side({p.x(), p.y(), p.z()}) != CGAL::ON_UNBOUNDED_SIDE;
-  };
-  row.inside = metrics::inside_share(skeleton, inside, step);
-  row.off_centre = median_of(metrics::off_centre_ratios(skeleton, model.mesh, step));
 }
 
 Row row_of(const Model& model, const std::string& variant, const Outcome& outcome,
@@ -119,7 +58,9 @@ Row row_of(const Model& model, const std::string& variant, const Outcome& outcom
   row.shape = model.name;
   row.variant = variant;
   measure(row, outcome, points);
-  measure_shape(row, outcome.skeleton, model);
+  measure_in_model(row, outcome.skeleton, model);
+  if(!model.is_closed && row.status == "ok")
+    row.status = "mesh is open";
   write_miss(options.misses, row, outcome.skeleton, points);
   return row;
 }
@@ -129,7 +70,7 @@ void add_cloud_rows(const Model& model, const Quality_options& options, std::vec
 {
   std::map<std::string, Skeleton> clean; // by method
   for(const double noise : options.noise) {
-    const std::vector<Point> points = with_noise(model.points, noise * model.diagonal);
+    const std::vector<Point> points = with_noise(model.points, noise * model.diagonal, 1);
     for(const Outcome& outcome : skeletonize(points, options.as_published)) {
       Row row = row_of(model, "noise " + fixed(noise, 3), outcome, points, options);
       if(noise > 0)
@@ -159,7 +100,7 @@ void add_mesh_rows(const Model& model, const Quality_options& options, std::vect
 std::vector<Row> rows_of(const std::string& file, const Quality_options& options)
 {
   try {
-    const Model model = read_model(file, options.points);
+    const Model model = read_mesh(file, options.points);
     std::vector<Row> rows;
     add_cloud_rows(model, options, rows);
     if(options.mean_curvature_flow)

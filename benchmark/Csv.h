@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef POINT_SET_SKELETONIZATION_3_BENCHMARK_CSV_H
+#define POINT_SET_SKELETONIZATION_3_BENCHMARK_CSV_H
+
+#include <cstddef>
+#include <fstream>
+#include <iomanip>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// A CSV file, each line written as soon as it is there.
+class Csv
+{
+public:
+  /// \throw std::runtime_error
+  explicit Csv(const std::string& file)
+      : out_(file)
+  {
+    if(!out_)
+      throw std::runtime_error("cannot write '" + file + "'");
+  }
+
+  void write(const std::vector<std::string>& cells)
+  {
+    for(std::size_t i = 0; i < cells.size(); ++i) {
+      out_ << (i > 0 ? "," : "");
+      if(cells[i].find_first_of(",\"\n") == std::string::npos)
+        out_ << cells[i];
+      else
+        out_ << std::quoted(cells[i], '"', '"');
+    }
+    out_ << std::endl;
+  }
+
+private:
+  std::ofstream out_;
+};
+
+#endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_CSV_H
