@@ -53,6 +53,7 @@ class ReportTest(unittest.TestCase):
         return self.browser.find_elements(By.CSS_SELECTOR, selector)
 
     def wait_for(self, condition):
+        """What the page does a little later."""
         return WebDriverWait(self.browser, 30).until(lambda _: condition())
 
     def run_script(self, script, *arguments):
@@ -93,6 +94,10 @@ class ReportTest(unittest.TestCase):
 
     def column(self, label):
         return self.texts("#row_table thead tr:first-child th").index(label)
+
+    def shown_column(self, label):
+        column = self.column(label)
+        return [line[column] for line in self.shown_rows()]
 
     def click_head(self, label):
         head = self.find("#row_table thead tr:first-child th")[self.column(label)]
@@ -144,8 +149,8 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(first, self.view())
         ActionChains(self.browser).move_to_element(view).click_and_hold() \
             .move_by_offset(150, 40).release().perform()
+        self.wait_for(lambda: first != self.view())
         turned = self.view()
-        self.assertNotEqual(first, turned)
         ActionChains(self.browser).move_to_element(view).move_by_offset(-150, 90).perform()
         self.assertEqual(turned, self.view())  # only as long as the button is down
         ActionChains(self.browser).send_keys(Keys.ESCAPE).perform()
@@ -170,23 +175,25 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(len(self.shown_rows()), len(self.rows))
         for label in "seconds", "moved":
             for reverse in False, True:
+                before = self.shown_column(label)
+                numbers = sorted((float(text) for text in before if text), reverse=reverse)
+                empty = [""] * (len(before) - len(numbers))
                 self.click_head(label)
-                texts = [line[self.column(label)] for line in self.shown_rows()]
-                numbers = [float(text) for text in texts if text]
-                self.assertEqual(numbers, sorted(numbers, reverse=reverse))
-                self.assertEqual(texts[len(numbers):], [""] * (len(texts) - len(numbers)))
+                self.wait_for(lambda: before != self.shown_column(label))
+                after = self.shown_column(label)
+                self.assertEqual([float(text) for text in after[:len(numbers)]], numbers)
+                self.assertEqual(after[len(numbers):], empty)
+        methods = sorted(self.shown_column("method"), key=str.lower)
         self.click_head("method")
-        methods = [line[self.column("method")] for line in self.shown_rows()]
-        self.assertEqual(methods, sorted(methods, key=str.lower))
+        self.wait_for(lambda: methods == self.shown_column("method"))
 
     def test_the_large_table_filters(self):
         filters = self.find("#row_table .tablesorter-filter")
         Select(filters[self.column("method")]).select_by_visible_text("Wave Fronts")
         self.wait_for(lambda: len(self.shown_rows()) < len(self.rows))
-        shown = self.shown_rows()
-        self.assertEqual({line[self.column("method")] for line in shown}, {"Wave Fronts"})
-        self.assertEqual(len(shown), sum(
-            row["method"] == "wave_fronts" and row["input_kind"] == "mesh" for row in self.rows))
+        wanted = sum(
+            row["method"] == "wave_fronts" and row["input_kind"] == "mesh" for row in self.rows)
+        self.assertEqual(self.shown_column("method"), ["Wave Fronts"] * wanted)
         Select(filters[self.column("method")]).select_by_index(0)
         filters[self.column("seconds")].send_keys(">100")
         wanted = sum(row["seconds"] > 100 for row in self.rows)
@@ -207,17 +214,18 @@ class ReportTest(unittest.TestCase):
     def test_table_1_sorts_with_its_stages(self):
         def lines():
             return self.texts("#second_table tbody th")
-        def seconds():
-            return self.run_script(
+        def numbers():
+            texts = self.run_script(
                 "return [...document.querySelectorAll('#second_table tbody tr:not(.stage)')]"
                 ".map((line) => line.cells[1].textContent)")
+            return [float(text) for text in texts if text]
         before = lines()
+        self.assertNotEqual(numbers(), sorted(numbers()))
         head = self.find("#second_table thead tr:last-child th")[1]
         self.run_script("arguments[0].scrollIntoView({block: 'center'})", head)
         head.click()
-        numbers = [float(text) for text in seconds() if text]
-        self.assertEqual(numbers, sorted(numbers))
-        self.assertEqual(len(numbers), 9)
+        self.wait_for(lambda: numbers() == sorted(numbers()))
+        self.assertEqual(len(numbers()), 9)
         self.assertEqual(sorted(before), sorted(lines()))
         self.assertEqual(lines()[lines().index("LapCon08VC") + 1], "contraction (paper)")
 
