@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef POINT_SET_SKELETONIZATION_3_TEST_METHOD_CHECKS_H
+#define POINT_SET_SKELETONIZATION_3_TEST_METHOD_CHECKS_H
+
+#include "catch2.h"
+#include "graph_counts.h"
+#include "shapes.h"
+#include "skeleton_checks.h"
+
+#include "methods/Method.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+/// What the compared methods have to make of the shapes.
+namespace shapes {
+
+/// The topology of a valid skeleton; its stages are named.
+inline Graph_counts counts_of(const Method_result& result, const Method_input& input)
+{
+  check_valid(result.skeleton, input.points.size());
+  REQUIRE(!result.stages.empty());
+  for(const auto& stage : result.stages)
+    CHECK(stage.second >= 0);
+  return count_graph(result.skeleton);
+}
+
+/// Distances of the vertices to the nearest axis, in radii, ascending.
+inline std::vector<double> off_axis(const Skeleton& skeleton, const Shape& shape)
+{
+  std::vector<double> distances;
+  for(const auto v : boost::make_iterator_range(vertices(skeleton)))
+    distances.push_back(distance_to_axes(shape, to_vector(skeleton[v].point)) /
+                        shape.front().radius);
+  std::sort(distances.begin(), distances.end());
+  return distances;
+}
+
+inline double median_off_axis(const Skeleton& skeleton, const Shape& shape)
+{
+  const std::vector<double> distances = off_axis(skeleton, shape);
+  REQUIRE(!distances.empty());
+  return distances[distances.size() / 2];
+}
+
+} // namespace shapes
+
+#endif // POINT_SET_SKELETONIZATION_3_TEST_METHOD_CHECKS_H
