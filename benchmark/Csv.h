@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <fstream>
 #include <iomanip>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,11 +18,19 @@ class Csv
 public:
   /// \throw std::runtime_error
   explicit Csv(const std::string& file)
-      : out_(file)
+      : file_(file)
+      , out_(file_)
   {
-    if(!out_)
+    if(!file_)
       throw std::runtime_error("cannot write '" + file + "'");
   }
+
+  explicit Csv(std::ostream& out)
+      : out_(out)
+  {}
+
+  Csv(const Csv&) = delete;
+  Csv& operator=(const Csv&) = delete;
 
   void write(const std::vector<std::string>& cells)
   {
@@ -36,7 +45,8 @@ public:
   }
 
 private:
-  std::ofstream out_;
+  std::ofstream file_; ///< not open if it is another stream
+  std::ostream& out_;
 };
 
 #endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_CSV_H

@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef POINT_SET_SKELETONIZATION_3_BENCHMARK_PERFORMANCE_PERFORMANCE_ROW_H
+#define POINT_SET_SKELETONIZATION_3_BENCHMARK_PERFORMANCE_PERFORMANCE_ROW_H
+
+#include "measure_runs.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/// One method on one input.
+struct Performance_row
+{
+  std::string input; ///< name of the model
+  std::size_t points = 0;
+  std::string method;
+  std::size_t threads = 1;
+  Measured_runs measured;
+
+  /// The seconds of a stage; not a number if something went wrong or there is no such stage.
+  double cpu(const std::string& stage) const { return seconds(stage, &Stage_seconds::cpu); }
+  double wall(const std::string& stage) const { return seconds(stage, &Stage_seconds::wall); }
+
+private:
+  double seconds(const std::string& name, double Stage_seconds::*kind) const
+  {
+    if(measured.status == "ok")
+      for(const Stage_seconds& stage : measured.stages)
+        if(stage.name == name)
+          return stage.*kind;
+    return not_measured;
+  }
+};
+
+/// The names of the methods in the table.
+namespace method_names {
+
+inline const std::string ours = "l1_medial";
+inline const std::string streamed = "l1_medial stream";
+inline const std::string flow = "MCF of mesh";
+inline const std::string wrap_and_flow = "alpha wrap + MCF";
+inline const std::string wlop = "WLOP";
+inline const std::string neighbors = "Kd_tree 16-NN";
+
+} // namespace method_names
+
+#endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_PERFORMANCE_PERFORMANCE_ROW_H

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#include "contestants.h"
+
+#include "for_each_point.h"
+#include "methods/alpha_wrap.h"
+#include "methods/mcf.h"
+
+#include <CGAL/Gaussian_mixture_builder_3.h>
+#include <CGAL/L1_medial_skeletonization_3.h>
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/spatial_sort.h>
+#include <CGAL/wlop_simplify_and_regularize_point_set.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+
+namespace {
+
+template <typename ConcurrencyTag, typename Points>
+void skeletonize(const Points& points, Stopwatch& stopwatch)
+{
+  using Skeletonization = CGAL::L1_medial_skeletonization_3<Kernel, ConcurrencyTag>;
+  std::optional<Skeletonization> steps;
+  stopwatch.stage("points", [&] { steps.emplace(points); });
+  stopwatch.stage("mixture", [&] { steps->fit_mixture(); });
+  stopwatch.stage("projection", [&] { steps->project(); });
+  stopwatch.stage("linking", [&] { steps->link(); });
+  Skeleton skeleton;
+  stopwatch.stage("skeleton", [&] { steps->extract_skeleton(skeleton); });
+}
+
+/// Keeps a result from being optimised away.
+void use(double result)
+{
+  volatile double sink = result;
+  (void)sink;
+}
+
+} // namespace
+
+void skeletonize_points(const std::vector<Point>& points, std::size_t threads,
+                        Stopwatch& stopwatch)
+{
+  if(threads == 1) {
+    skeletonize<CGAL::Sequential_tag>(points, stopwatch);
+    return;
+  }
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+  skeletonize<CGAL::Parallel_tag>(points, stopwatch);
+#else
+  throw std::runtime_error("built without TBB");
+#endif
+}
+
+void skeletonize_stream(const std::string& file, Stopwatch& stopwatch)
+{
+  const CGAL::Bbox_3 box = stopwatch.stage("extent", [&] { return box_of_file<Point>(file); });
+  CGAL::Gaussian_mixture_builder_3<Kernel> builder(box);
+  stopwatch.stage("moments", [&] {
+    for_each_point<Point>(file, [&builder](const Point& p) { builder.insert(p); });
+  });
+  skeletonize<CGAL::Sequential_tag>(builder, stopwatch);
+}
+
+void flow_mesh(const std::vector<Mesh>& components, Stopwatch& stopwatch)
+{
+  Method_input input;
+  input.components = components;
+  stopwatch.stage("skeleton", [&] { mcf(input); });
+}
+
+void wrap_and_flow(const std::vector<Point>& points, Stopwatch& stopwatch)
+{
+  const std::vector<Mesh> wrap = stopwatch.stage("wrap", [&] { return alpha_wrap(points); });
+  flow_mesh(wrap, stopwatch);
+}
+
+void wlop(const std::vector<Point>& points, Stopwatch& stopwatch)
+{
+  std::vector<Point> copy = points; // it is reordered
+  std::vector<Point> result;
+  stopwatch.stage("projection", [&] {
+    CGAL::wlop_simplify_and_regularize_point_set<CGAL::Sequential_tag>(
+        copy, std::back_inserter(result)); // the defaults: 5 %, 8 spacings, 35 iterations
+  });
+}
+
+void neighbor_queries(const std::vector<Point>& points, Stopwatch& stopwatch)
+{
+  using Search = CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Kernel>>;
+  constexpr unsigned int neighbors = 16;
+  std::vector<Point> sorted = points;
+  stopwatch.stage("sort", [&] { CGAL::spatial_sort(sorted.begin(), sorted.end()); });
+  Search::Tree tree(sorted.begin(), sorted.end());
+  stopwatch.stage("tree", [&] { tree.build(); });
+  stopwatch.stage("queries", [&] {
+    double sum = 0;
+    for(const Point& p : sorted)
+      for(const auto& neighbor : Search(tree, p, neighbors))
+        sum += neighbor.second;
+    use(sum);
+  });
+}

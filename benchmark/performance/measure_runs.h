@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef POINT_SET_SKELETONIZATION_3_BENCHMARK_PERFORMANCE_MEASURE_RUNS_H
+#define POINT_SET_SKELETONIZATION_3_BENCHMARK_PERFORMANCE_MEASURE_RUNS_H
+
+#include "Stopwatch.h"
+#include "statistics.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+/// Medians of several runs.
+struct Measured_runs
+{
+  std::size_t runs = 0;
+  std::vector<Stage_seconds> stages;          ///< the last is "total"
+  double peak_memory = not_measured;  ///< MiB, of the process, which includes program and input
+  double extra_memory = not_measured; ///< MiB, what came on top of these
+  std::string status = "ok";          ///< or what went wrong in the last run
+};
+
+/// Runs the work `runs` times, each time in a process of its own; once only if that goes wrong or
+/// takes longer than `time_limit` seconds.
+Measured_runs measure_runs(const std::function<void(Stopwatch&)>& work, std::size_t runs,
+                           double time_limit);
+
+#endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_PERFORMANCE_MEASURE_RUNS_H
