@@ -6,8 +6,8 @@
 #include "Report.h"
 #include "measure.h"
 #include "methods/mcf.h"
+#include "methods/remesh.h"
 #include "nearest_point_radii.h"
-#include "remesh.h"
 
 #include <cstddef>
 #include <exception>

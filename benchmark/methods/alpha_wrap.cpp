@@ -4,6 +4,7 @@
 #include "alpha_wrap.h"
 
 #include "components_of.h"
+#include "remesh.h"
 
 #include <CGAL/alpha_wrap_3.h>
 #include <CGAL/compute_average_spacing.h>
@@ -21,4 +22,9 @@ std::vector<Mesh> alpha_wrap(const std::vector<Point>& points)
   Mesh wrap;
   CGAL::alpha_wrap_3(points, alpha * spacing, offset * spacing, wrap);
   return components_of(wrap);
+}
+
+std::vector<Mesh> fine_alpha_wrap(const std::vector<Point>& points)
+{
+  return remesh_to(alpha_wrap(points), points.size());
 }

@@ -17,4 +17,7 @@ double average_spacing(const std::vector<Point>& points);
 /// \return its components \pre there are points
 std::vector<Mesh> alpha_wrap(const std::vector<Point>& points);
 
+/// The same, with even triangles and about as many vertices as there are points.
+std::vector<Mesh> fine_alpha_wrap(const std::vector<Point>& points);
+
 #endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_METHODS_ALPHA_WRAP_H

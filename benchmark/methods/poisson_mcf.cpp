@@ -6,6 +6,7 @@
 #include "alpha_wrap.h"
 #include "components_of.h"
 #include "mcf.h"
+#include "remesh.h"
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/poisson_surface_reconstruction.h>
@@ -24,17 +25,15 @@ std::vector<Mesh> poisson_surface(const Method_input& input)
   std::vector<Oriented_point> oriented;
   for(std::size_t i = 0; i < input.points.size(); ++i)
     oriented.emplace_back(input.points[i], input.normals[i]);
-  // CGAL's own default of 30 spacings makes triangles too large for the flow.
-  constexpr double smallest_angle = 20, largest_triangle = 3, distance = 0.375; // spacings
   Mesh surface;
   if(!CGAL::poisson_surface_reconstruction_delaunay(
          oriented.begin(), oriented.end(), CGAL::First_of_pair_property_map<Oriented_point>(),
          CGAL::Second_of_pair_property_map<Oriented_point>(), surface,
-         average_spacing(input.points), smallest_angle, largest_triangle, distance))
+         average_spacing(input.points)))
     throw std::runtime_error("there is no Poisson surface");
   if(!CGAL::is_closed(surface))
     throw std::runtime_error("the Poisson surface is not closed");
-  return components_of(surface);
+  return remesh_to(components_of(surface), input.points.size());
 }
 
 } // namespace

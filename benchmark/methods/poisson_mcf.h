@@ -7,7 +7,8 @@
 #include "Method.h"
 
 /// `mcf()` of the Poisson surface of the points: Kazhdan, Bolitho, Hoppe, "Poisson Surface
-/// Reconstruction", SGP 2006, as CGAL has it. Reads the points and the normals.
+/// Reconstruction", SGP 2006, as CGAL has it,
+/// remeshed. Reads the points and the normals.
 /// \throw std::runtime_error if there is no such surface, or if it is not closed
 Method_result poisson_mcf(const Method_input& input);
 

@@ -10,6 +10,6 @@ Method_result wrap_mcf(const Method_input& input)
 {
   Method_result result;
   Method_input wrapped;
-  wrapped.components = timed_stage(result, "wrap", [&] { return alpha_wrap(input.points); });
+  wrapped.components = timed_stage(result, "wrap", [&] { return fine_alpha_wrap(input.points); });
   return after(result, mcf(wrapped));
 }

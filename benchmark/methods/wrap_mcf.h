@@ -6,7 +6,8 @@
 
 #include "Method.h"
 
-/// `mcf()` of the alpha wrap of the points.
+/// `mcf()` of the alpha wrap of the points, remeshed: on its large triangles the skeleton drifts
+/// off the middle.
 Method_result wrap_mcf(const Method_input& input);
 
 #endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_METHODS_WRAP_MCF_H

@@ -20,11 +20,12 @@ std::vector<Mesh> remesh(std::vector<Mesh> components, double edge_length)
   return components;
 }
 
-double edge_length_for(const std::vector<Mesh>& components, std::size_t number_of_vertices)
+std::vector<Mesh> remesh_to(const std::vector<Mesh>& components, std::size_t number_of_vertices)
 {
   double area = 0;
   for(const Mesh& component : components)
     area += PMP::area(component);
   // An equilateral triangle has the area sqrt(3) / 4 edges^2; there are two to a vertex.
-  return std::sqrt(2 * area / (std::sqrt(3.) * static_cast<double>(number_of_vertices)));
+  return remesh(components,
+                std::sqrt(2 * area / (std::sqrt(3.) * static_cast<double>(number_of_vertices))));
 }
