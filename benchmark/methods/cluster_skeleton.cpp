@@ -4,11 +4,26 @@
 #include "cluster_skeleton.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <queue>
 #include <utility>
 
 namespace methods {
+
+void spread(std::vector<std::size_t>& owner, const Neighbors& neighbors)
+{
+  std::queue<std::size_t> queue;
+  for(std::size_t i = 0; i < owner.size(); ++i)
+    if(owner[i] != no_cluster)
+      queue.push(i);
+  for(; !queue.empty(); queue.pop())
+    for(const std::size_t j : neighbors[queue.front()])
+      if(owner[j] == no_cluster) {
+        owner[j] = owner[queue.front()];
+        queue.push(j);
+      }
+}
 
 Cluster_graph::Cluster_graph(std::vector<Cluster> clusters, const std::vector<std::size_t>& owner,
                              const Neighbors& neighbors)
@@ -80,6 +95,45 @@ void Cluster_graph::collapse_triangles()
           queue.push(edge(c, d));
     }
   }
+}
+
+// By Dijkstra's algorithm.
+bool Cluster_graph::has_path(std::size_t from, std::size_t to, double max_length) const
+{
+  using Visit = std::pair<double, std::size_t>;
+  std::priority_queue<Visit, std::vector<Visit>, std::greater<Visit>> queue;
+  std::set<std::size_t> done;
+  queue.emplace(0., from);
+  while(!queue.empty()) {
+    const Visit visit = queue.top();
+    queue.pop();
+    if(visit.second == to)
+      return true;
+    if(!done.insert(visit.second).second)
+      continue;
+    for(const std::size_t next : adjacent_[visit.second]) {
+      const double length =
+          visit.first + (clusters_[next].center - clusters_[visit.second].center).norm();
+      if(length <= max_length)
+        queue.emplace(length, next);
+    }
+  }
+  return false;
+}
+
+void Cluster_graph::keep_spanner(double stretch)
+{
+  std::vector<Edge> edges;
+  for(std::size_t a = 0; a < clusters_.size(); ++a)
+    for(const std::size_t b : std::exchange(adjacent_[a], {}))
+      if(a < b)
+        edges.push_back(edge(a, b));
+  std::sort(edges.begin(), edges.end());
+  for(const auto& [squared_length, a, b] : edges)
+    if(!has_path(a, b, stretch * std::sqrt(squared_length))) {
+      adjacent_[a].insert(b);
+      adjacent_[b].insert(a);
+    }
 }
 
 Skeleton Cluster_graph::skeleton() const

@@ -28,10 +28,11 @@ struct Cluster
   std::vector<std::size_t> points;
 };
 
-/// Clusters of points joined to a graph that is thinned to a curve skeleton: clusters are adjacent
-/// if points of them are, and edges of triangles are collapsed, the shortest first, until there is
-/// no triangle left. The topological thinning of Cao et al., Point Cloud Skeletons via Laplacian
-/// Based Contraction, 2010.
+/// Points without a cluster get that of the nearest point, in steps to the next, that has one.
+void spread(std::vector<std::size_t>& owner, const Neighbors& neighbors);
+
+/// Clusters of points joined to a graph, which is then thinned to a curve skeleton: clusters are
+/// adjacent if points of them are.
 class Cluster_graph
 {
 public:
@@ -39,7 +40,15 @@ public:
   Cluster_graph(std::vector<Cluster> clusters, const std::vector<std::size_t>& owner,
                 const Neighbors& neighbors);
 
+  /// Collapses edges of triangles, the shortest first, until there is no triangle left: the
+  /// topological thinning of Cao et al., Point Cloud Skeletons via Laplacian Based Contraction,
+  /// 2010.
   void collapse_triangles();
+
+  /// Keeps of the edges, the shortest first, those whose ends are not yet joined by a path at most
+  /// `stretch` times as long: the greedy spanner of Althöfer et al., On sparse spanners of weighted
+  /// graphs, 1993. It has no cycles shorter than 1 + `stretch` times their longest edge.
+  void keep_spanner(double stretch);
 
   /// Clusters that are still there, in order. A collapsed one has no points.
   std::vector<Cluster>& clusters() { return clusters_; }
@@ -53,6 +62,7 @@ private:
   using Edge = std::tuple<double, std::size_t, std::size_t>; // squared length, smaller, larger end
 
   Edge edge(std::size_t a, std::size_t b) const;
+  bool has_path(std::size_t from, std::size_t to, double max_length) const;
   bool in_triangle(std::size_t a, std::size_t b) const;
   void collapse(std::size_t kept, std::size_t gone);
 

@@ -37,7 +37,8 @@ inline Neighbor_search search_of(const std::vector<Eigen::Vector3d>& points)
   return Neighbor_search(points.size(), [&](std::size_t i) { return points[i]; });
 }
 
-/// For every point the `k` others nearest to it and those it is one of the `k` nearest of; ascending.
+/// For every point the `k` others nearest to it and those it is one of the `k` nearest of;
+/// ascending.
 inline Neighbors nearest_others(const Neighbor_search& search,
                                 const std::vector<Eigen::Vector3d>& points, std::size_t k)
 {

@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
-#include <queue>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -38,8 +37,8 @@ struct Ball
   double radius;
 };
 
-// The ball that touches the surface at point `i` and at the point that shrunk it last; its radius is
-// 0 if there is no such point, or if its centre is outside by the normal there or by the box.
+// The ball that touches the surface at point `i` and at the point that shrunk it last; its radius
+// is 0 if there is no such point, or if its centre is outside by the normal there or by the box.
 Ball shrunk_ball(const Neighbor_search& search, const std::vector<Vector3d>& points,
                  const std::vector<Vector3d>& normals, const Eigen::AlignedBox3d& box,
                  std::size_t i)
@@ -86,9 +85,8 @@ std::vector<std::size_t> kept_balls(const std::vector<Ball>& balls, const Neighb
 {
   std::vector<std::size_t> order(balls.size()), kept;
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return balls[a].radius > balls[b].radius;
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return balls[a].radius > balls[b].radius; });
   std::vector<char> is_covered(balls.size(), 0);
   for(const std::size_t i : order) {
     if(is_covered[i] || balls[i].radius == 0)
@@ -100,7 +98,8 @@ std::vector<std::size_t> kept_balls(const std::vector<Ball>& balls, const Neighb
 }
 
 // For every point the nearest of the kept balls, as position in `kept`, that cover its own.
-std::vector<std::size_t> owners(const std::vector<Ball>& balls, const std::vector<std::size_t>& kept,
+std::vector<std::size_t> owners(const std::vector<Ball>& balls,
+                                const std::vector<std::size_t>& kept,
                                 const Neighbor_search& centers)
 {
   std::vector<std::size_t> owner(balls.size(), no_cluster);
@@ -113,21 +112,6 @@ std::vector<std::size_t> owners(const std::vector<Ball>& balls, const std::vecto
       }
     });
   return owner;
-}
-
-// Points without an owner get that of the nearest point, in steps, that has one.
-void spread(std::vector<std::size_t>& owner, const methods::Neighbors& neighbors)
-{
-  std::queue<std::size_t> queue;
-  for(std::size_t i = 0; i < owner.size(); ++i)
-    if(owner[i] != no_cluster)
-      queue.push(i);
-  for(; !queue.empty(); queue.pop())
-    for(const std::size_t j : neighbors[queue.front()])
-      if(owner[j] == no_cluster) {
-        owner[j] = owner[queue.front()];
-        queue.push(j);
-      }
 }
 
 } // namespace
@@ -158,7 +142,7 @@ Method_result tangent_ball(const Method_input& input)
     std::vector<std::size_t> owner = owners(balls, kept, center_search);
     const methods::Neighbors neighbors =
         methods::nearest_others(methods::search_of(points), points, surface_neighbors);
-    spread(owner, neighbors);
+    methods::spread(owner, neighbors);
     std::vector<methods::Cluster> clusters;
     for(const std::size_t k : kept)
       clusters.push_back({balls[k].center, balls[k].radius, {}});
