@@ -42,6 +42,7 @@ public:
   {
     orient_patches(patches);
     settle_orientation<ConcurrencyTag>(patches);
+    winding_number = std::make_unique<Winding_number>(patches);
     confidence = orientation_confidence(patches);
     part_facing_patches(patches, confidence);
 
@@ -62,6 +63,7 @@ public:
   std::vector<Patch> patches;
   double spacing;
   std::vector<double> confidence;
+  std::unique_ptr<Winding_number> winding_number;
   std::unique_ptr<Oriented_mixture> mixture;
 };
 
@@ -73,10 +75,11 @@ Projection_outcome project_patches(const Oriented_surface<ConcurrencyTag>& surfa
 {
   const std::vector<double> balls =
     medial_ball_radii<ConcurrencyTag>(surface.patches, surface.confidence);
-  samples = medial_samples(surface.patches, surface.confidence, balls, options);
+  samples = medial_samples<ConcurrencyTag>(surface.patches, surface.confidence,
+                                           *surface.winding_number, balls, options);
   const Projection_outcome outcome =
     project_samples<ConcurrencyTag>(samples, *surface.mixture, options, progress);
-  bring_back_lost_samples(samples, surface.patches);
+  bring_back_lost_samples<ConcurrencyTag>(samples, surface.patches, *surface.winding_number);
   return outcome;
 }
 
@@ -127,7 +130,7 @@ public:
     if(!progress(0.6))
       return false;
     const Surface_quotient quotient =
-      quotient_without_false_loops(surface_->patches, samples, separators);
+      quotient_without_false_loops(surface_->patches, samples, *surface_->winding_number, separators);
     graph = quotient.graph;
     const auto patches_of = patches_of_vertices(quotient.vertex_of_patch, graph.vertices.size());
     const std::vector<bool> stray = stray_vertices(graph, weights(patches_of));

@@ -70,7 +70,7 @@ inline std::vector<std::vector<std::size_t>> loops(const Skeleton_graph& graph)
 /// Whether there is air in a loop: a fan spanned into it leaves the solid. A loop around a hole of
 /// the data does not: the winding number closes the hole.
 inline bool encloses_air(const std::vector<std::size_t>& loop, const Skeleton_graph& graph,
-                         const std::vector<Patch>& patches)
+                         const Winding_number& winding_number)
 {
   constexpr double outside = 0.4; // 0.5 in the middle of a hole of the data, more behind it
   constexpr int steps = 16;       // a hole is wider than a sixteenth of the loop
@@ -80,7 +80,7 @@ inline bool encloses_air(const std::vector<std::size_t>& loop, const Skeleton_gr
   for(std::size_t v : loop)
     for(int step = 0; step < steps; ++step) {
       const double t = static_cast<double>(step) / steps;
-      if(winding_number(patches, center + t * (graph.vertices[v].position - center)) < outside)
+      if(winding_number(center + t * (graph.vertices[v].position - center)) < outside)
         return true;
     }
   return false;
@@ -90,13 +90,14 @@ inline bool encloses_air(const std::vector<std::size_t>& loop, const Skeleton_gr
 /// that end in holes of the data - are taken out of `separators`, the longest of a loop first.
 inline Surface_quotient quotient_without_false_loops(const std::vector<Patch>& patches,
                                                      const std::vector<Sample>& samples,
+                                                     const Winding_number& winding_number,
                                                      std::vector<Local_separator>& separators)
 {
   for(;;) {
     Surface_quotient quotient = surface_quotient(patches, samples, separators);
     std::vector<std::size_t> wrong;
     for(const std::vector<std::size_t>& loop : loops(quotient.graph)) {
-      if(encloses_air(loop, quotient.graph, patches))
+      if(encloses_air(loop, quotient.graph, winding_number))
         continue;
       std::size_t longest = separators.size();
       for(std::size_t v : loop) // vertices of separators come first

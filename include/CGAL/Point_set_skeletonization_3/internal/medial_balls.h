@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_BALLS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_BALLS_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_orientation.h>
 
@@ -24,29 +25,59 @@ namespace internal {
 /// between such patches only are stable medial balls: a bump or noise on one side makes none.
 constexpr double facing_normals = -0.3;
 
-/// Radii of the balls that touch patch `i` from inside and a patch that faces it: of the three
-/// smallest the largest, so that two stray patches cannot make one. 0: nothing faces the patch.
-inline double facing_ball_radius(std::size_t i, const std::vector<Patch>& patches,
-                                 const std::vector<double>& confidence)
+/// The patches whose orientation can be trusted, for queries of the balls between them.
+class Facing_balls
 {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  if(confidence[i] < trusted_orientation)
-    return 0;
-  std::array<double, 3> smallest{{none, none, none}};
-  for(std::size_t j = 0; j < patches.size(); ++j) {
-    if(patches[j].normal.dot(patches[i].normal) > facing_normals ||
-       confidence[j] < trusted_orientation)
-      continue;
-    const Vector3 d = patches[j].mean - patches[i].mean;
-    const double depth = -patches[i].normal.dot(d);
-    const double squared = d.squaredNorm();
-    if(!(depth > 0) || squared >= 2 * depth * smallest[2])
-      continue;
-    smallest[2] = squared / (2 * depth);
-    std::sort(smallest.begin(), smallest.end());
+public:
+  Facing_balls(const std::vector<Patch>& patches, const std::vector<double>& confidence)
+    : patches_(patches), trusted_(trusted(confidence)),
+      tree_(trusted_.size(), [&](std::size_t k) { return patches[trusted_[k]].mean; }),
+      normals_(tree_.boxes_of([&](std::size_t k) { return patches[trusted_[k]].normal; }))
+  {}
+
+  /// Radii of the balls that touch a patch from inside and a patch that faces it: of the three
+  /// smallest the largest, so that two stray patches cannot make one. 0: nothing faces the patch.
+  double radius(const Patch& patch) const
+  {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    std::array<double, 3> smallest{{none, none, none}};
+    const auto bound = [&](std::size_t node) {
+      const Box& box = tree_.boxes()[node];
+      const double depth = patch.normal.dot(patch.mean) - box.least(patch.normal);
+      return normals_[node].least(patch.normal) > facing_normals || !(depth > 0)
+               ? none
+               : box.squared_distance(patch.mean) / (2 * depth);
+    };
+    tree_.visit_below(smallest[2], bound, [&](std::size_t k) {
+      const Patch& other = patches_[trusted_[k]];
+      if(other.normal.dot(patch.normal) > facing_normals)
+        return;
+      const Vector3 d = other.mean - patch.mean;
+      const double depth = -patch.normal.dot(d);
+      const double squared = d.squaredNorm();
+      if(!(depth > 0) || squared >= 2 * depth * smallest[2])
+        return;
+      smallest[2] = squared / (2 * depth);
+      std::sort(smallest.begin(), smallest.end());
+    });
+    return smallest[2] < none ? smallest[2] : 0;
   }
-  return smallest[2] < none ? smallest[2] : 0;
-}
+
+private:
+  static std::vector<std::size_t> trusted(const std::vector<double>& confidence)
+  {
+    std::vector<std::size_t> result;
+    for(std::size_t i = 0; i < confidence.size(); ++i)
+      if(confidence[i] >= trusted_orientation)
+        result.push_back(i);
+    return result;
+  }
+
+  const std::vector<Patch>& patches_;
+  std::vector<std::size_t> trusted_;
+  Box_tree tree_;
+  std::vector<Box> normals_; ///< Of every node of the tree.
+};
 
 /// One pass of a median filter over the neighbours on the surface that have a value (> 0).
 inline std::vector<double> median_filtered(const std::vector<double>& values,
@@ -105,9 +136,11 @@ template <typename ConcurrencyTag>
 std::vector<double> medial_ball_radii(const std::vector<Patch>& patches,
                                       const std::vector<double>& confidence)
 {
-  std::vector<double> radii(patches.size());
+  const Facing_balls balls(patches, confidence);
+  std::vector<double> radii(patches.size(), 0);
   parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
-    radii[i] = facing_ball_radius(i, patches, confidence);
+    if(confidence[i] >= trusted_orientation)
+      radii[i] = balls.radius(patches[i]);
   });
   for(int pass = 0; pass < 3; ++pass)
     radii = median_filtered(radii, patches);

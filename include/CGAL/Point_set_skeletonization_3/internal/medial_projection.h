@@ -123,50 +123,57 @@ inline Vector3 attracted(const Sample& sample, double slab, const Oriented_mixtu
 inline double visible_distance(const Vector3& q, const Oriented_mixture::Level& level)
 {
   double nearest = std::numeric_limits<double>::infinity();
-  for(const Oriented_attractor& a : level.attractors) {
-    const double squared = (a.attractor.mean() - q).squaredNorm();
-    if(squared < nearest && a.seen_from(q) > 0.5)
-      nearest = squared;
-  }
+  level.tree.visit_below(
+    nearest, [&](std::size_t node) { return level.tree.boxes()[node].squared_distance(q); },
+    [&](std::size_t i) {
+      const Oriented_attractor& a = level.attractors[i];
+      const double squared = (a.attractor.mean() - q).squaredNorm();
+      if(squared < nearest && a.seen_from(q) > 0.5)
+        nearest = squared;
+    });
   return nearest < std::numeric_limits<double>::infinity() ? std::sqrt(nearest) : 0;
 }
 
 /// Samples at the patch means, moved to the centre of their medial ball where there is one.
-inline std::vector<Sample> medial_samples(const std::vector<Patch>& patches,
-                                          const std::vector<double>& confidence,
-                                          const std::vector<double>& ball_radii,
-                                          const Projection_options& options)
+template <typename ConcurrencyTag>
+std::vector<Sample> medial_samples(const std::vector<Patch>& patches,
+                                   const std::vector<double>& confidence,
+                                   const Winding_number& winding_number,
+                                   const std::vector<double>& ball_radii,
+                                   const Projection_options& options)
 {
   std::vector<Sample> samples(patches.size());
-  for(std::size_t i = 0; i < patches.size(); ++i) {
+  parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
     Sample& s = samples[i];
     s.origin = s.position = patches[i].mean;
     s.kernel_radius = options.kernel_ratio * std::max(ball_radii[i], patches[i].spacing / 2);
     const Vector3 center = patches[i].mean - ball_radii[i] * patches[i].normal;
-    if(confidence[i] < trusted_orientation || winding_number(patches, center) < 0.5)
-      continue; // the normal points the wrong way: let the projection find the way in
-    s.position = center;
-  }
+    // Else the normal points the wrong way: let the projection find the way in.
+    if(confidence[i] >= trusted_orientation && winding_number(center) >= 0.5)
+      s.position = center;
+  });
   return samples;
 }
 
 /// Puts samples that went astray back on their patch. A sample is in the middle of the shape where its
 /// patch is: inside, and its ball, the largest around it, reaches that patch. Others had a wrong
 /// normal, or sit on a twig that has no inside.
-inline void bring_back_lost_samples(std::vector<Sample>& samples, const std::vector<Patch>& patches)
+template <typename ConcurrencyTag>
+void bring_back_lost_samples(std::vector<Sample>& samples, const std::vector<Patch>& patches,
+                             const Winding_number& winding_number)
 {
   // 0.25 rather than 0.5: near a hole of the data the number is low inside as well.
   constexpr double inside = 0.25;
   // A limb is wider than thick, and in a flat part a sample slides along its medial sheet.
   constexpr double reach = 3;
-  for(std::size_t i = 0; i < samples.size(); ++i) {
+  parallel_for<ConcurrencyTag>(samples.size(), [&](std::size_t i) {
     Sample& sample = samples[i];
     if((sample.position - sample.origin).norm() > reach * sample.radius + patches[i].spacing ||
-       winding_number(patches, sample.position) < inside) {
+       winding_number(sample.position) < inside) {
       sample.position = sample.origin;
       sample.radius = 0;
     }
-  }
+  });
 }
 
 /// Moves the samples to the local L1-medians of the mixture. Every iteration reads the positions of

@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_ORIENTED_MIXTURE_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_ORIENTED_MIXTURE_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/attraction.h>
 #include <CGAL/Point_set_skeletonization_3/internal/grid_cells.h>
@@ -88,12 +89,14 @@ public:
   {
     Level(const std::vector<Oriented_gaussian>& components, double size)
       : attractors(components.begin(), components.end()), cell_size(size),
-        search(components.size(), [&](std::size_t i) { return components[i].gaussian.mean; })
+        search(components.size(), [&](std::size_t i) { return components[i].gaussian.mean; }),
+        tree(components.size(), [&](std::size_t i) { return components[i].gaussian.mean; })
     {}
 
     std::vector<Oriented_attractor> attractors;
     double cell_size;
     Neighbor_search search;
+    Box_tree tree;
   };
 
   /// `finest` with components `spacing` apart. Every level is twice as coarse as the one before,

@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_BOX_TREE_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_BOX_TREE_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// An axis-parallel box; empty at first.
+struct Box
+{
+  Vector3 lower = Vector3::Constant(std::numeric_limits<double>::infinity());
+  Vector3 upper = Vector3::Constant(-std::numeric_limits<double>::infinity());
+
+  void add(const Vector3& p)
+  {
+    lower = lower.cwiseMin(p);
+    upper = upper.cwiseMax(p);
+  }
+
+  void add(const Box& other)
+  {
+    lower = lower.cwiseMin(other.lower);
+    upper = upper.cwiseMax(other.upper);
+  }
+
+  double squared_distance(const Vector3& p) const
+  {
+    return (lower - p).cwiseMax(p - upper).cwiseMax(0).squaredNorm();
+  }
+
+  /// The least of `direction.dot(p)` over the box.
+  double least(const Vector3& direction) const
+  {
+    return direction.cwiseProduct(lower).cwiseMin(direction.cwiseProduct(upper)).sum();
+  }
+};
+
+/// A balanced binary tree over points, for questions that are no neighbour queries: sums over all
+/// points that get coarser with distance, and minima of a function that can be bounded in a box.
+/// It depends on the points only.
+class Box_tree
+{
+public:
+  struct Node
+  {
+    std::size_t begin, end; ///< Of its points in `order()`.
+    std::size_t after;      ///< The first node after it that is not below it.
+  };
+
+  /// `position(i)` gives the `i`-th of `size` points.
+  template <typename Position>
+  Box_tree(std::size_t size, const Position& position) : order_(size)
+  {
+    std::iota(order_.begin(), order_.end(), std::size_t(0));
+    if(size > 0)
+      split(0, size, position);
+    boxes_ = boxes_of(position);
+  }
+
+  /// In preorder: the root, its left subtree, its right subtree. Empty if there are no points.
+  const std::vector<Node>& nodes() const { return nodes_; }
+  bool is_leaf(std::size_t node) const { return nodes_[node].after == node + 1; }
+  /// \pre it is no leaf
+  std::size_t left(std::size_t node) const { return node + 1; }
+  std::size_t right(std::size_t node) const { return nodes_[left(node)].after; }
+  /// The points, sorted into the leaves.
+  const std::vector<std::size_t>& order() const { return order_; }
+  /// The bounding box of every node.
+  const std::vector<Box>& boxes() const { return boxes_; }
+
+  /// The box around `value(i)` of the points of every node.
+  template <typename Value>
+  std::vector<Box> boxes_of(const Value& value) const
+  {
+    std::vector<Box> result(nodes_.size());
+    for(std::size_t n = nodes_.size(); n-- > 0;) {
+      const Node& node = nodes_[n];
+      if(is_leaf(n))
+        for(std::size_t k = node.begin; k < node.end; ++k)
+          result[n].add(value(order_[k]));
+      else {
+        result[n].add(result[left(n)]);
+        result[n].add(result[right(n)]);
+      }
+    }
+    return result;
+  }
+
+  /// Calls `visit(i)` for the points of all nodes with `bound(node) < limit`, where visits may lower
+  /// the limit: the minimum of a function over the points if `bound()` is none greater than its
+  /// values in the node. Of two children the one with the smaller bound comes first.
+  template <typename Bound, typename Visit>
+  void visit_below(const double& limit, const Bound& bound, const Visit& visit) const
+  {
+    if(nodes_.empty())
+      return;
+    using Entry = std::pair<double, std::size_t>; // bound, node
+    std::array<Entry, 64> waiting; // one for every halving
+    std::size_t size = 0;
+    waiting[size++] = {bound(0), 0};
+    while(size > 0) {
+      Entry entry = waiting[--size];
+      while(entry.first < limit && !is_leaf(entry.second)) {
+        const std::size_t near = left(entry.second), far = right(entry.second);
+        entry = {bound(near), near};
+        Entry other{bound(far), far};
+        if(other.first < entry.first)
+          std::swap(entry, other);
+        waiting[size++] = other;
+      }
+      if(entry.first < limit)
+        for(std::size_t k = nodes_[entry.second].begin; k < nodes_[entry.second].end; ++k)
+          visit(order_[k]);
+    }
+  }
+
+private:
+  static constexpr std::size_t leaf_size = 8; // a handful costs as much as a node
+
+  /// Appends the tree over a range of `order_`: halves of equal size across its longest axis.
+  template <typename Position>
+  void split(std::size_t begin, std::size_t end, const Position& position)
+  {
+    const std::size_t node = nodes_.size();
+    nodes_.push_back({begin, end, node + 1});
+    const auto at = [&](std::size_t k) { return order_.begin() + static_cast<std::ptrdiff_t>(k); };
+    if(end - begin <= leaf_size) {
+      std::sort(at(begin), at(end)); // an order of its own, whatever nth_element() leaves
+      return;
+    }
+    Box box;
+    for(std::size_t k = begin; k < end; ++k)
+      box.add(position(order_[k]));
+    Eigen::Index axis = 0;
+    (box.upper - box.lower).maxCoeff(&axis);
+    const std::size_t middle = begin + (end - begin) / 2;
+    std::nth_element(at(begin), at(middle), at(end), [&](std::size_t i, std::size_t j) {
+      const double a = position(i)[axis], b = position(j)[axis];
+      return a != b ? a < b : i < j;
+    });
+    split(begin, middle, position);
+    split(middle, end, position);
+    nodes_[node].after = nodes_.size();
+  }
+
+  std::vector<Node> nodes_;
+  std::vector<std::size_t> order_;
+  std::vector<Box> boxes_;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_BOX_TREE_H
