@@ -60,6 +60,8 @@ public:
     std::size_t after;      ///< The first node after it that is not below it.
   };
 
+  Box_tree() = default;
+
   /// `position(i)` gives the `i`-th of `size` points.
   template <typename Position>
   Box_tree(std::size_t size, const Position& position) : order_(size)
@@ -68,6 +70,9 @@ public:
     if(size > 0)
       split(0, size, position);
     boxes_ = boxes_of(position);
+    positions_.reserve(size);
+    for(std::size_t i : order_)
+      positions_.push_back(position(i));
   }
 
   /// In preorder: the root, its left subtree, its right subtree. Empty if there are no points.
@@ -97,6 +102,26 @@ public:
       }
     }
     return result;
+  }
+
+  /// Calls `visit(i, squared_distance)` for every point closer than `radius` to `center`.
+  template <typename Visit>
+  void visit_within(const Vector3& center, double radius, const Visit& visit) const
+  {
+    const double squared_radius = radius * radius;
+    for(std::size_t n = 0; n < nodes_.size();) {
+      if(boxes_[n].squared_distance(center) >= squared_radius) {
+        n = nodes_[n].after;
+        continue;
+      }
+      if(is_leaf(n))
+        for(std::size_t k = nodes_[n].begin; k < nodes_[n].end; ++k) {
+          const double squared_distance = (positions_[k] - center).squaredNorm();
+          if(squared_distance < squared_radius)
+            visit(order_[k], squared_distance);
+        }
+      ++n;
+    }
   }
 
   /// Calls `visit(i)` for the points of all nodes with `bound(node) < limit`, where visits may lower
@@ -159,6 +184,7 @@ private:
   std::vector<Node> nodes_;
   std::vector<std::size_t> order_;
   std::vector<Box> boxes_;
+  std::vector<Vector3> positions_; ///< In the order of the leaves.
 };
 
 } // namespace internal

@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_CONSOLIDATION_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_CONSOLIDATION_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/grid_cells.h>
@@ -12,6 +13,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -39,21 +41,19 @@ public:
   {
     constexpr double resolution = 1.0 / 3; // of the radius: two dozen components in a window
     mixture_ = resolution * radius > spacing ? coarsened(mixture, resolution * radius) : mixture;
-    search_ = std::make_unique<Neighbor_search>(
-      mixture_.size(), [this](std::size_t i) { return mixture_[i].mean; });
+    tree_ = Box_tree(mixture_.size(), [this](std::size_t i) { return mixture_[i].mean; });
   }
 
   double radius() const { return radius_; }
 
   Local_fit operator()(const Vector3& q) const
   {
-    std::vector<std::size_t> near;
-    search_->within(q, 1.5 * radius_, near); // where the window has fallen to 1 %
+    constexpr double reach = 1.5; // where the window has fallen to 1 %
     Moments moments(q);
-    for(std::size_t i : near) {
-      const double squared = (mixture_[i].mean - q).squaredNorm() / (radius_ * radius_);
-      moments.add(std::exp(-2 * squared) * mixture_[i].weight, mixture_[i]);
-    }
+    tree_.visit_within(q, reach * radius_, [&](std::size_t i, double squared_distance) {
+      const double window = std::exp(-2 * squared_distance / (radius_ * radius_));
+      moments.add(window * mixture_[i].weight, mixture_[i]);
+    });
     Local_fit fit;
     fit.mean = q;
     if(!(moments.weight() > 0))
@@ -74,7 +74,7 @@ public:
 private:
   double radius_;
   Gaussians mixture_;
-  std::unique_ptr<Neighbor_search> search_;
+  Box_tree tree_;
 };
 
 /// Distance of every component to its fourth neighbour.
@@ -135,7 +135,8 @@ public:
     constexpr int passes = 4; // the first halves the noise, the last finds nothing to do
     for(int pass = 0; pass < passes; ++pass) {
       move();
-      drop_thin();
+      if(!drop_thin() && !(strength_ > 0)) // nothing has changed
+        break;
     }
     return result_;
   }
@@ -175,9 +176,10 @@ private:
     double least = std::numeric_limits<double>::infinity();
     for(std::size_t size = 0; size < sizes; ++size) {
       const Mixture_window view = window(size);
-      std::vector<double> roughness;
-      for(std::size_t i = 0; i < mixture_.size(); i += every)
-        roughness.push_back(view(result_.positions[i]).roughness);
+      std::vector<double> roughness((mixture_.size() + every - 1) / every);
+      parallel_for<ConcurrencyTag>(roughness.size(), [&](std::size_t k) {
+        roughness[k] = view(result_.positions[k * every]).roughness;
+      });
       const double quartile = quantile(roughness, 0.25);
       // Uneven sampling alone measures up to 0.03, noise of a quarter of the spacing 0.05 and more.
       if(size == 0)
@@ -217,21 +219,30 @@ private:
     return quantile(off, 0.5);
   }
 
+  /// The window for a component: where the points are sparse it has to be wider to show anything.
+  std::size_t size_for(std::size_t i) const
+  {
+    std::size_t size = size_;
+    while(size + 1 < sizes && radius(size) < 1.6 * spacings_[i])
+      ++size;
+    return size;
+  }
+
   void move()
   {
-    std::vector<Mixture_window> views;
-    for(std::size_t k = size_; k < sizes; ++k)
-      views.push_back(window(k));
+    std::vector<std::size_t> size(mixture_.size());
+    std::array<std::unique_ptr<Mixture_window>, sizes> views;
+    for(std::size_t i = 0; i < mixture_.size(); ++i) {
+      size[i] = size_for(i);
+      if(!result_.outlier[i] && !views[size[i]])
+        views[size[i]] = std::make_unique<Mixture_window>(window(size[i]));
+    }
     density_.assign(mixture_.size(), 0);
     parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
       if(result_.outlier[i])
         return;
-      // Where the points are sparse the window has to be wider to show anything.
-      std::size_t k = 0;
-      while(k + 1 < views.size() && views[k].radius() < 1.6 * spacings_[i])
-        ++k;
       Vector3& position = result_.positions[i]; // the views keep the ones before
-      const Local_fit fit = views[k](position);
+      const Local_fit fit = (*views[size[i]])(position);
       density_[i] = fit.density;
       const double blob = std::min(1.0, std::max(0.0, (fit.roughness - 0.1) / 0.2));
       const Vector3 step = fit.mean - position;
@@ -240,29 +251,29 @@ private:
     });
   }
 
-  /// A thin cloud beside a dense surface is the tail of its noise.
-  void drop_thin()
+  /// A thin cloud beside a dense surface is the tail of its noise. False if there is none.
+  bool drop_thin()
   {
     constexpr double apart = 1.5;
     constexpr double thin = 0.3; // Gaussian noise at 1.6 standard deviations
-    const Neighbor_search search(result_.positions.size(),
-                                 [&](std::size_t i) { return result_.positions[i]; });
-    std::vector<std::size_t> near;
-    std::vector<bool> drop(mixture_.size(), false);
-    for(std::size_t i = 0; i < mixture_.size(); ++i) {
+    const Box_tree tree(result_.positions.size(),
+                        [&](std::size_t i) { return result_.positions[i]; });
+    std::vector<char> drop(mixture_.size(), 0);
+    parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
       if(result_.outlier[i])
-        continue;
+        return;
       // What lies apart from the others is compared with the surface further away.
       const double reach = spacings_[i] > apart * spacing_ ? 1.5 : 1;
-      search.within(result_.positions[i], reach * radius(size_), near);
       double densest = 0;
-      for(std::size_t j : near)
-        densest = std::max(densest, density_[j]);
+      tree.visit_within(result_.positions[i], reach * radius(size_),
+                        [&](std::size_t j, double) { densest = std::max(densest, density_[j]); });
       drop[i] = density_[i] < thin * densest;
-    }
+    });
+    bool any = false;
     for(std::size_t i = 0; i < mixture_.size(); ++i)
       if(drop[i])
-        result_.outlier[i] = true;
+        any = result_.outlier[i] = true;
+    return any;
   }
 
   const Gaussians& mixture_;
