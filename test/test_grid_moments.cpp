@@ -184,7 +184,7 @@ TEST_CASE("The order of the points changes nothing but rounding")
 
 TEST_CASE("More points than a block and more cells than the fine grid holds")
 {
-  // Three blocks of 2^18 points each start a grid of their own; nearly every point has a cell.
+  // Three blocks of up to 2^18 points have grids of their own; nearly every point has a cell.
   const Points points = cloud(600000, 7);
   Grid_options options;
   options.maximum_patches = 1000;

@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
+#include <CGAL/Point_set_skeletonization_3/internal/radix_sort.h>
 
 #include <CGAL/assertions.h>
 
@@ -14,7 +15,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -48,103 +48,228 @@ struct Grid_options
     CGAL_precondition(points_per_patch >= 1);
     // The eight cells around the origin stay apart however wide they are.
     CGAL_precondition(minimum_patches >= 8 && minimum_patches <= maximum_patches);
+    CGAL_precondition(maximum_patches <= 100000); // what `index_bits` can count
+  }
+};
+
+/// A cell of a cubic grid around the origin, by its lower corner in units of its edge length.
+using Grid_cell = std::array<std::int32_t, 3>;
+
+/// Bits of a cell's place on an axis: normalised coordinates lie between -1 and 1, and the finest
+/// cells are 1/4096 wide, which is finer than any patch.
+constexpr int finest_level = 12;
+constexpr int axis_bits = finest_level + 2;
+
+/// The cell with `p` in it, of edge length 2^-level.
+inline Grid_cell grid_cell_of(const Vector3& p, int level)
+{
+  Grid_cell cell;
+  for(int k = 0; k < 3; ++k) {
+    const double x = p[k] * (1 << level);
+    const auto truncated = static_cast<std::int32_t>(x);
+    cell[static_cast<std::size_t>(k)] = truncated - (x < truncated ? 1 : 0); // floor() is a call
+  }
+  return cell;
+}
+
+/// A cell as a number; the numbers are in lexicographic order.
+inline std::uint64_t packed(const Grid_cell& cell)
+{
+  std::uint64_t result = 0;
+  for(std::int32_t i : cell)
+    result = result << axis_bits | static_cast<std::uint64_t>(i + (1 << (axis_bits - 1)));
+  return result;
+}
+
+inline Grid_cell unpacked(std::uint64_t code)
+{
+  Grid_cell cell;
+  for(std::size_t k = 3; k-- > 0; code >>= axis_bits)
+    cell[k] = static_cast<std::int32_t>(code & ((1 << axis_bits) - 1)) - (1 << (axis_bits - 1));
+  return cell;
+}
+
+/// The place of a cell on a Morton curve: three bits less make that of the cell around it that is
+/// twice as wide. The bits of the three axes alternate.
+inline std::uint64_t morton_code(const Grid_cell& cell)
+{
+  std::uint64_t result = 0;
+  for(std::int32_t i : cell) {
+    auto x = static_cast<std::uint64_t>(i + (1 << (axis_bits - 1)));
+    x = (x | x << 16) & 0x001F0000FF0000FFu;
+    x = (x | x << 8) & 0x100F00F00F00F00Fu;
+    x = (x | x << 4) & 0x10C30C30C30C30C3u;
+    x = (x | x << 2) & 0x1249249249249249u;
+    result = result << 1 | x;
+  }
+  return result;
+}
+
+/// The cell of edge length 2^-level at a place on a Morton curve.
+inline Grid_cell cell_of_morton_code(std::uint64_t code, int level)
+{
+  Grid_cell cell;
+  for(std::size_t k = 3; k-- > 0; code >>= 1) {
+    std::uint64_t x = code & 0x1249249249249249u;
+    x = (x | x >> 2) & 0x10C30C30C30C30C3u;
+    x = (x | x >> 4) & 0x100F00F00F00F00Fu;
+    x = (x | x >> 8) & 0x001F0000FF0000FFu;
+    x = (x | x >> 16) & 0xFFFFu;
+    cell[k] = static_cast<std::int32_t>(x) - (1 << (axis_bits - 1 + level - finest_level));
+  }
+  return cell;
+}
+
+/// A key with the index of what it belongs to, so that sorting keys sorts indices; the key of a cell
+/// leaves 22 bits.
+constexpr int index_bits = 64 - 3 * axis_bits;
+
+inline std::uint64_t with_index(std::uint64_t key, std::size_t index)
+{
+  return key << index_bits | index;
+}
+
+inline std::size_t index_of(std::uint64_t key_with_index)
+{
+  return key_with_index & ((std::uint64_t(1) << index_bits) - 1);
+}
+
+/// How many different numbers the sorted keys without their last bits are. \pre there is a key
+inline std::size_t number_of_different(const std::vector<std::uint64_t>& keys, int bits)
+{
+  std::size_t result = 1;
+  for(std::size_t k = 1; k < keys.size(); ++k)
+    result += keys[k - 1] >> bits != keys[k] >> bits ? 1 : 0;
+  return result;
+}
+
+/// A level of a grid mixture: what the cells hold and how large they are.
+struct Grid_level
+{
+  Gaussians gaussians;
+  std::vector<std::uint64_t> cells; ///< Of every Gaussian, packed; ascending if merged.
+  int fine_level = 0;               ///< The grid was made with cells 2^-fine_level wide, ...
+  std::int32_t factor = 1;          ///< ... these are that many times wider.
+
+  /// Edge length of a cell, in units of the bounding box diagonal.
+  double cell_size() const { return std::ldexp(1.0, -fine_level) * factor; }
+
+  /// The cell that holds a cell, `factor` times as wide: rounds towards minus infinity.
+  static Grid_cell merged(Grid_cell cell, std::int32_t factor)
+  {
+    for(std::int32_t& c : cell)
+      c = c >= 0 ? c / factor : -((-c + factor - 1) / factor);
+    return cell;
+  }
+
+  /// Index of the Gaussian that holds the moments of `p`. \pre `p` is one of the points
+  std::size_t cell_index(const Vector3& p) const
+  {
+    const std::uint64_t cell = packed(merged(grid_cell_of(p, fine_level), factor));
+    return static_cast<std::size_t>(std::lower_bound(cells.begin(), cells.end(), cell) -
+                                    cells.begin());
   }
 };
 
 /// A cubic grid of cells that hold the exact moments of their points.
 ///
-/// The grid starts very fine and is halved in resolution whenever it holds more than a bounded
-/// number of cells; so one pass over the points suffices, in bounded memory, and which resolution
-/// remains depends on the set of points only, not on their order.
+/// Its resolution is the finest at which it holds no more than a bounded number of cells, and so
+/// depends on the set of points only. Grids of parts of the points add up to the grid of all.
 class Moment_grid
 {
 public:
-  using Cell = std::array<std::int32_t, 3>;
-
   explicit Moment_grid(std::size_t maximum_cells) : maximum_cells_(maximum_cells) {}
 
-  /// Edge length of a cell, a power of two, in units of the bounding box diagonal.
-  double cell_size() const { return std::ldexp(1.0, -level_); }
-
-  static Cell cell_of(const Vector3& p, double cell_size)
+  /// The grid of a block of points. \pre `0 < size < 2^index_bits`
+  Moment_grid(const Vector3* points, std::size_t size, std::size_t maximum_cells)
+    : maximum_cells_(maximum_cells)
   {
-    Cell cell;
-    for(int k = 0; k < 3; ++k)
-      cell[static_cast<std::size_t>(k)] = static_cast<std::int32_t>(std::floor(p[k] / cell_size));
-    return cell;
+    std::vector<std::uint64_t> keys;
+    keys.reserve(size);
+    for(std::size_t i = 0; i < size; ++i)
+      keys.push_back(with_index(morton_code(grid_cell_of(points[i], finest_level)), i));
+    radix_sort(keys, index_bits);
+
+    int bits = index_bits;
+    while(level_ > 0 && number_of_different(keys, bits) > maximum_cells_) {
+      bits += 3;
+      --level_;
+    }
+    cells_.reserve(number_of_different(keys, bits));
+    for(std::size_t k = 0; k < keys.size();) {
+      const std::uint64_t code = keys[k] >> bits;
+      Moments moments(points[index_of(keys[k])]);
+      for(; k < keys.size() && keys[k] >> bits == code; ++k)
+        moments.add(1, points[index_of(keys[k])]);
+      cells_.push_back({code, moments.gaussian()});
+    }
   }
 
-  void add(const Vector3& p)
-  {
-    const Cell cell = cell_of(p, cell_size());
-    entry(cell).add(1, p);
-    while(cells_.size() > maximum_cells_)
-      coarsen();
-  }
+  std::size_t size() const { return cells_.size(); }
 
   void add(Moment_grid other)
   {
-    while(other.level_ > level_)
-      other.coarsen();
-    while(level_ > other.level_)
-      coarsen();
-    for(const auto& item : other.sorted())
-      entry(item.first).add(item.second);
-    while(cells_.size() > maximum_cells_)
-      coarsen();
+    coarsen_to(other.level_);
+    other.coarsen_to(level_);
+    std::vector<Item> both(cells_.size() + other.cells_.size());
+    std::merge(cells_.begin(), cells_.end(), other.cells_.begin(), other.cells_.end(), both.begin(),
+               [](const Item& a, const Item& b) { return a.code < b.code; });
+    cells_.swap(both);
+    unite(0);
+    while(level_ > 0 && size() > maximum_cells_)
+      coarsen_to(level_ - 1);
   }
 
-  /// Cells and their Gaussians, in lexicographic order.
-  std::vector<std::pair<Cell, Gaussian>> sorted() const
+  /// Its cells, along a Morton curve.
+  Grid_level level() const
   {
-    std::vector<std::pair<Cell, Gaussian>> result;
-    result.reserve(cells_.size());
-    for(const auto& item : cells_)
-      result.emplace_back(item.first, item.second.gaussian());
-    std::sort(result.begin(), result.end(),
-              [](const auto& a, const auto& b) { return a.first < b.first; });
+    Grid_level result;
+    result.fine_level = level_;
+    for(const Item& item : cells_) {
+      result.cells.push_back(packed(cell_of_morton_code(item.code, level_)));
+      result.gaussians.push_back(item.gaussian);
+    }
     return result;
   }
 
 private:
-  struct Hash
+  struct Item
   {
-    std::size_t operator()(const Cell& c) const
-    {
-      std::uint64_t h = 0;
-      for(std::int32_t i : c)
-        h = (h ^ static_cast<std::uint32_t>(i)) * 0x9E3779B97F4A7C15u;
-      return static_cast<std::size_t>(h ^ (h >> 29));
-    }
+    std::uint64_t code;
+    Gaussian gaussian;
   };
 
-  Moments& entry(const Cell& cell)
+  void coarsen_to(int level)
   {
-    const auto found = cells_.find(cell);
-    if(found != cells_.end())
-      return found->second;
-    const Vector3 corner(cell[0], cell[1], cell[2]);
-    return cells_.emplace(cell, Moments((corner + Vector3::Constant(0.5)) * cell_size()))
-      .first->second;
+    if(level < level_) {
+      unite(3 * (level_ - level));
+      level_ = level;
+    }
   }
 
-  void coarsen()
+  /// Takes the last bits off the codes and makes one of the cells with the same code.
+  void unite(int bits)
   {
-    const auto fine = sorted(); // an order of its own, so that sums do not depend on the hash table
-    cells_.clear();
-    --level_;
-    for(const auto& item : fine) {
-      Cell cell = item.first;
-      for(std::int32_t& i : cell)
-        i = (i - (i < 0 ? 1 : 0)) / 2; // floor(i / 2)
-      entry(cell).add(item.second);
+    std::size_t united = 0;
+    for(std::size_t k = 0; k < cells_.size();) {
+      const std::uint64_t code = cells_[k].code >> bits;
+      const std::size_t first = k++;
+      Gaussian gaussian = cells_[first].gaussian;
+      if(k < cells_.size() && cells_[k].code >> bits == code) {
+        Moments moments(gaussian.mean);
+        moments.add(gaussian);
+        for(; k < cells_.size() && cells_[k].code >> bits == code; ++k)
+          moments.add(cells_[k].gaussian);
+        gaussian = moments.gaussian();
+      }
+      cells_[united++] = {code, gaussian};
     }
+    cells_.resize(united);
   }
 
   std::size_t maximum_cells_;
-  // 1/4096 of the diagonal: finer than any patch, and cell indices stay far from overflow.
-  int level_ = 12;
-  std::unordered_map<Cell, Moments, Hash> cells_;
+  int level_ = finest_level;
+  std::vector<Item> cells_; ///< Ascending.
 };
 
 /// Points are added to grids in blocks of this number, and the grids of the blocks in order: so sums
@@ -156,19 +281,19 @@ class Moment_stream
 {
 public:
   explicit Moment_stream(std::size_t maximum_cells)
-    : maximum_cells_(maximum_cells), blocks_(maximum_cells), block_(maximum_cells)
+    : maximum_cells_(maximum_cells), blocks_(maximum_cells)
   {}
 
   std::size_t size() const { return size_; }
 
   void add(const Vector3& p)
   {
-    block_.add(p);
+    block_.push_back(p);
     ++size_;
-    if(++size_of_block_ < block_size)
+    if(block_.size() < block_size)
       return;
-    blocks_.add(std::exchange(block_, Moment_grid(maximum_cells_)));
-    size_of_block_ = 0;
+    blocks_.add(Moment_grid(block_.data(), block_.size(), maximum_cells_));
+    block_.clear();
   }
 
   void add(const Moment_stream& other)
@@ -180,103 +305,80 @@ public:
   Moment_grid grid() const
   {
     Moment_grid result = blocks_;
-    result.add(block_);
+    if(!block_.empty())
+      result.add(Moment_grid(block_.data(), block_.size(), maximum_cells_));
     return result;
   }
 
 private:
   std::size_t maximum_cells_;
   std::size_t size_ = 0;
-  std::size_t size_of_block_ = 0;
   Moment_grid blocks_;
-  Moment_grid block_; ///< Of the points since the last full block.
+  std::vector<Vector3> block_; ///< Points since the last full block.
 };
 
 /// Moments of `points` in a fine grid.
 template <typename ConcurrencyTag>
 Moment_grid fine_grid(const std::vector<Vector3>& points, std::size_t maximum_cells)
 {
-  std::vector<Moment_grid> blocks((points.size() + block_size - 1) / block_size,
-                                  Moment_grid(maximum_cells));
-  parallel_for<ConcurrencyTag>(blocks.size(), [&](std::size_t b) {
-    const std::size_t end = std::min(points.size(), (b + 1) * block_size);
-    for(std::size_t i = b * block_size; i < end; ++i)
-      blocks[b].add(points[i]);
-  });
+  constexpr std::size_t at_once = 8; // blocks: bounds the memory of their grids
   Moment_grid result(maximum_cells);
-  for(Moment_grid& block : blocks)
-    result.add(std::move(block));
+  for(std::size_t begin = 0; begin < points.size(); begin += at_once * block_size) {
+    const std::size_t size = std::min(points.size() - begin, at_once * block_size);
+    std::vector<Moment_grid> blocks((size + block_size - 1) / block_size,
+                                    Moment_grid(maximum_cells));
+    parallel_for<ConcurrencyTag>(blocks.size(), [&](std::size_t b) {
+      blocks[b] = Moment_grid(points.data() + begin + b * block_size,
+                              std::min(block_size, size - b * block_size), maximum_cells);
+    });
+    for(Moment_grid& block : blocks)
+      result.add(std::move(block));
+  }
   return result;
 }
 
 /// The cells of a fine grid, from which all levels are merged.
 struct Fine_cells
 {
-  Fine_cells() = default;
-  explicit Fine_cells(const Moment_grid& grid) : cells(grid.sorted()), cell_size(grid.cell_size())
-  {}
+  explicit Fine_cells(const Moment_grid& grid) : level(grid.level()) {}
 
   /// A cell's weight is a number of points, and exact.
   std::size_t number_of_points() const
   {
     double sum = 0;
-    for(const auto& cell : cells)
-      sum += cell.second.weight;
+    for(const Gaussian& g : level.gaussians)
+      sum += g.weight;
     return static_cast<std::size_t>(sum);
   }
 
-  std::vector<std::pair<Moment_grid::Cell, Gaussian>> cells; ///< In lexicographic order.
-  double cell_size = 1; ///< In units of the bounding box diagonal.
+  Grid_level level; ///< Its cells along a Morton curve.
 };
 
-/// A level of a grid mixture: what the cells hold and how large they are.
-struct Grid_level
+/// The cells around those of `fine`, `factor` times as wide, with the indices of these; sorted.
+inline std::vector<std::uint64_t> cells_around(const Grid_level& fine, std::int32_t factor)
 {
-  using Cell = Moment_grid::Cell;
-
-  Gaussians gaussians;
-  std::vector<Cell> cells; ///< Of every Gaussian; ascending.
-  double fine_cell_size = 0;
-  std::int32_t factor = 1; ///< Cells are that many times wider than the fine ones.
-
-  /// Edge length of a cell, in units of the bounding box diagonal.
-  double cell_size() const { return fine_cell_size * factor; }
-
-  /// The cell of this level that holds a fine one: rounds towards minus infinity.
-  static Cell merged(Cell fine, std::int32_t factor)
-  {
-    for(std::int32_t& c : fine)
-      c = c >= 0 ? c / factor : -((-c + factor - 1) / factor);
-    return fine;
-  }
-
-  /// Index of the Gaussian that holds the moments of `p`. \pre `p` is one of the points
-  std::size_t cell_index(const Vector3& p) const
-  {
-    const Cell cell = merged(Moment_grid::cell_of(p, fine_cell_size), factor);
-    return static_cast<std::size_t>(std::lower_bound(cells.begin(), cells.end(), cell) -
-                                    cells.begin());
-  }
-};
+  std::vector<std::uint64_t> result;
+  result.reserve(fine.cells.size());
+  for(std::uint64_t cell : fine.cells)
+    result.push_back(
+      with_index(packed(Grid_level::merged(unpacked(cell), factor)), result.size()));
+  radix_sort(result, index_bits);
+  return result;
+}
 
 /// The cells of `fine` merged into cells `factor` times as wide; merging moments is exact.
-inline Grid_level merged_cells(const Fine_cells& grid, std::int32_t factor)
+inline Grid_level merged_cells(const Grid_level& fine, std::int32_t factor)
 {
-  const auto& fine = grid.cells;
-  std::vector<std::pair<Moment_grid::Cell, std::size_t>> order;
-  order.reserve(fine.size());
-  for(std::size_t i = 0; i < fine.size(); ++i)
-    order.emplace_back(Grid_level::merged(fine[i].first, factor), i);
-  std::sort(order.begin(), order.end());
-
   Grid_level level;
-  level.fine_cell_size = grid.cell_size;
-  level.factor = factor;
-  for(std::size_t begin = 0, end; begin < order.size(); begin = end) {
-    Moments moments(fine[order[begin].second].second.mean);
-    for(end = begin; end < order.size() && order[end].first == order[begin].first; ++end)
-      moments.add(fine[order[end].second].second);
-    level.cells.push_back(order[begin].first);
+  level.fine_level = fine.fine_level;
+  level.factor = fine.factor * factor;
+  const std::vector<std::uint64_t> keys = cells_around(fine, factor);
+  for(std::size_t k = 0; k < keys.size();) {
+    const std::uint64_t cell = keys[k] >> index_bits;
+    Moments moments(fine.gaussians[index_of(keys[k])].mean);
+    for(; k < keys.size() && keys[k] >> index_bits == cell; ++k)
+      moments.add(fine.gaussians[index_of(keys[k])]);
+    level.cells.push_back(cell);
     level.gaussians.push_back(moments.gaussian());
   }
   return level;
@@ -289,25 +391,22 @@ inline std::vector<Grid_level> grid_levels(const Fine_cells& fine, const Grid_op
                                            std::size_t number_of_levels)
 {
   std::vector<Grid_level> levels;
-  if(fine.cells.empty())
+  std::size_t size = fine.level.cells.size();
+  if(size == 0)
     return levels;
 
   const std::size_t wanted = options.patches(fine.number_of_points());
   std::int32_t factor = 1;
-  Grid_level level = merged_cells(fine, factor);
-  while(level.gaussians.size() > wanted) {
+  while(size > wanted) {
     // Occupied cells of a surface fall with the square of their width: step towards the aim, by
     // at least one and never past it.
-    const double excess = std::sqrt(static_cast<double>(level.gaussians.size()) /
-                                    static_cast<double>(wanted));
+    const double excess = std::sqrt(static_cast<double>(size) / static_cast<double>(wanted));
     factor = std::max(factor + 1, static_cast<std::int32_t>(factor * std::sqrt(excess)));
-    level = merged_cells(fine, factor);
+    size = number_of_different(cells_around(fine.level, factor), index_bits);
   }
-  levels.push_back(std::move(level));
-  while(levels.size() < number_of_levels) {
-    factor *= 2;
-    levels.push_back(merged_cells(fine, factor));
-  }
+  levels.push_back(merged_cells(fine.level, factor));
+  while(levels.size() < number_of_levels)
+    levels.push_back(merged_cells(levels.back(), 2));
   return levels;
 }
 
