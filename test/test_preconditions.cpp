@@ -77,3 +77,15 @@ TEST_CASE("Options out of their range violate a precondition")
   grid.minimum_patches = grid.maximum_patches + 1;
   CHECK_THROWS_AS(grid.check(), CGAL::Precondition_exception);
 }
+
+TEST_CASE("What cannot be done with streamed points violates a precondition")
+{
+  using Builder = CGAL::Gaussian_mixture_builder_3<Kernel>;
+  const Silence silence;
+  Builder builder(CGAL::Bbox_3(0, 0, 0, 1, 1, 1));
+  CHECK_THROWS_AS(builder.merge(Builder(CGAL::Bbox_3(0, 0, 0, 1, 1, 2))),
+                  CGAL::Precondition_exception);
+  CHECK_NOTHROW(builder.merge(Builder(builder.box())));
+  CHECK_THROWS_AS(Skeletonization(builder, CGAL::parameters::as_published(true)),
+                  CGAL::Precondition_exception);
+}
