@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef POINT_SET_SKELETONIZATION_3_BENCHMARK_METHODS_MESH_CONTRACTION_H
+#define POINT_SET_SKELETONIZATION_3_BENCHMARK_METHODS_MESH_CONTRACTION_H
+
+#include "Method.h"
+#include "laplacian_contraction.h"
+
+#include <vector>
+
+namespace methods {
+
+/// The positions of the vertices, by index.
+Positions positions_of(const Mesh& mesh);
+
+/// The triangles at every vertex, by index.
+std::vector<Fan> fans_of(const Mesh& mesh);
+
+/// Where the vertices of a closed mesh are contracted to, as Au et al. 2008 do it: with their
+/// s_L = 2, until the volume is less than a millionth of what it was.
+/// \throw std::runtime_error if the first step fails
+Positions contract_mesh(const Mesh& mesh);
+
+} // namespace methods
+
+#endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_METHODS_MESH_CONTRACTION_H
