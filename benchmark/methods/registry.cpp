@@ -7,6 +7,7 @@
 #include "l1_medial_published.h"
 #include "mcf.h"
 #include "poisson_mcf.h"
+#include "rosa.h"
 #include "tangent_ball.h"
 #include "teasar.h"
 #include "wave_fronts.h"
@@ -24,6 +25,7 @@ const std::vector<Registered_method>& registered_methods()
       {"wrap_mcf", Needs::points, wrap_mcf, "CGAL, Portaneri et al. 2022, then mcf"},
       {"poisson_mcf", Needs::points_and_normals, poisson_mcf,
        "CGAL, Kazhdan et al. 2006, then mcf"},
+      {"rosa", Needs::points_and_normals, rosa, "Tagliasacchi et al. 2009"},
       {"wave_fronts", Needs::mesh, wave_fronts, "Lengauer et al., section 4.1"},
       {"teasar", Needs::mesh, teasar, "Sato et al. 2000"},
       {"tangent_ball", Needs::points_and_normals, tangent_ball, "Ma et al. 2012"},
