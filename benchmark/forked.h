@@ -12,7 +12,7 @@
 /// How the life of a process went.
 struct Forked
 {
-  std::string death;                ///< why there is no answer, e.g. a signal; empty if there is one
+  std::string death;                ///< why there is no answer, e.g. a signal; empty if there is
   bool in_time = true;              ///< else it was killed
   std::vector<std::uint8_t> answer; ///< what the work returned
   double seconds = 0;               ///< wall-clock

@@ -47,39 +47,34 @@ Rows our_rows(const Rows& rows)
   return result;
 }
 
+/// What is asked for at this number of points.
 std::vector<Ratio> ratios_of(const Rows& rows, const Performance_row& ours)
 {
-  const double cpu = ours.cpu("total"), wall = ours.wall("total");
+  const bool is_model = ours.points < 100000, is_million = ours.points == 1000000;
+  const bool is_huge = ours.points >= 10000000;
   const auto rival = [&](const std::string& method, const std::string& stage) {
-    return cpu / find(rows, ours, method).cpu(stage);
+    return ours.cpu("total") / find(rows, ours, method).cpu(stage);
   };
   std::vector<Ratio> result;
   const auto add = [&](const std::string& what, double value, double asked, bool at_most) {
     result.push_back({ours.input, ours.points, what, value, asked, at_most});
   };
-  add("time / (alpha wrap + MCF)", rival(method_names::wrap_and_flow, "total"), 0.1, true);
-  add("time / MCF of the mesh", rival(method_names::flow, "total"), 1. / 3, true);
-  add("time / queries of 16 neighbours", rival(method_names::neighbors, "queries"), 0.25, true);
-  const double input = static_cast<double>(ours.points * sizeof(Point)) / mebibyte;
-  add("memory beyond input / input", ours.measured.extra_memory / input, 0.25, true);
-  add("peak memory of stream, MiB",
-      find(rows, ours, method_names::streamed).measured.peak_memory, 200, true);
-  add("one thread / two threads", wall / find(rows, ours, method_names::ours, 2).wall("total"), 1.7,
-      false);
+  if(is_model) {
+    add("time / (alpha wrap + MCF)", rival(method_names::wrap_and_flow, "total"), 0.1, true);
+    add("time / MCF of the mesh", rival(method_names::flow, "total"), 1. / 3, true);
+  }
+  if(is_million)
+    add("time / queries of 16 neighbours", rival(method_names::neighbors, "queries"), 0.25, true);
+  if(is_model || is_million)
+    add("one thread / two threads",
+        ours.wall("total") / find(rows, ours, method_names::ours, 2).wall("total"), 1.7, false);
+  if(is_huge) {
+    const double input = static_cast<double>(ours.points * sizeof(Point)) / mebibyte;
+    add("memory beyond input / input", ours.measured.extra_memory / input, 0.25, true);
+    add("peak memory of stream, MiB",
+        find(rows, ours, method_names::streamed).measured.peak_memory, 200, true);
+  }
   return result;
-}
-
-/// The issue of a size decides what is asked of it.
-bool is_asked(const Ratio& ratio)
-{
-  const bool is_model = ratio.points < 100000;
-  if(ratio.what.find("MCF") != std::string::npos)
-    return is_model;
-  if(ratio.what.find("queries") != std::string::npos)
-    return ratio.points == 1000000;
-  if(ratio.what.find("memory") != std::string::npos)
-    return ratio.points >= 10000000;
-  return is_model || ratio.points == 1000000;
 }
 
 std::vector<Ratio> growth(const Rows& ours)
@@ -116,8 +111,7 @@ void print_ratios(std::ostream& out, const Rows& rows)
   const Rows ours = our_rows(rows);
   for(const Performance_row& row : ours)
     for(const Ratio& ratio : ratios_of(rows, row))
-      if(is_asked(ratio))
-        table.add(ratio);
+      table.add(ratio);
   for(const Ratio& ratio : growth(ours))
     table.add(ratio);
 }

@@ -16,7 +16,7 @@ void print_ratios(std::ostream& out, const std::vector<Performance_row>& rows);
 /// Prints the shares of the stages of this package with one thread.
 void print_shares(std::ostream& out, const std::vector<Performance_row>& rows);
 
-/// Prints how much of a core the runs of one thread had: less than all of it if the machine was busy.
+/// Prints how much of a core the runs of one thread had: less than all if the machine was busy.
 void print_quietness(std::ostream& out, const std::vector<Performance_row>& rows);
 
 #endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_PERFORMANCE_RATIOS_H
