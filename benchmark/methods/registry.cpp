@@ -5,6 +5,9 @@
 
 #include "l1_medial.h"
 #include "l1_medial_published.h"
+#include "lapcon08_ec.h"
+#include "lapcon08_vc.h"
+#include "lapcon10.h"
 #include "mcf.h"
 #include "poisson_mcf.h"
 #include "rosa.h"
@@ -26,6 +29,9 @@ const std::vector<Registered_method>& registered_methods()
       {"poisson_mcf", Needs::points_and_normals, poisson_mcf,
        "CGAL, Kazhdan et al. 2006, then mcf"},
       {"rosa", Needs::points_and_normals, rosa, "Tagliasacchi et al. 2009"},
+      {"lapcon10", Needs::points, lapcon10, "Cao et al. 2010"},
+      {"lapcon08_vc", Needs::mesh, lapcon08_vc, "Au et al. 2008, vertex clustering"},
+      {"lapcon08_ec", Needs::mesh, lapcon08_ec, "Au et al. 2008, edge collapse"},
       {"wave_fronts", Needs::mesh, wave_fronts, "Lengauer et al., section 4.1"},
       {"teasar", Needs::mesh, teasar, "Sato et al. 2000"},
       {"tangent_ball", Needs::points_and_normals, tangent_ball, "Ma et al. 2012"},
