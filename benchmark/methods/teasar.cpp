@@ -6,15 +6,16 @@
 #include "add_curve.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_type_config.h>
-
-#include <boost/graph/dijkstra_shortest_paths.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <queue>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -26,34 +27,69 @@ using Vertex = Mesh::Vertex_index;
 /// The girth of a tube says how far its other side is; limbs are not round, nor all alike.
 constexpr double share_of_girth = 0.75;
 
-/// Of a tube of radius r, the volume is r / 2 times the area.
-double invalidation_distance(const Mesh& mesh)
+/// Every vertex at the mean of its neighbours, and once more: without most of the noise.
+Mesh smoothed(Mesh mesh)
 {
-  const double radius = 2 * CGAL::to_double(PMP::volume(mesh) / PMP::area(mesh));
-  return share_of_girth * 2 * CGAL_PI * std::abs(radius);
+  constexpr int rounds = 2;
+  for(int round = 0; round < rounds; ++round) {
+    const Mesh before = mesh;
+    for(const Vertex v : mesh.vertices()) {
+      Vector sum = CGAL::NULL_VECTOR;
+      for(const Vertex w : CGAL::vertices_around_target(before.halfedge(v), before))
+        sum += before.point(w) - CGAL::ORIGIN;
+      mesh.point(v) = CGAL::ORIGIN + sum / static_cast<double>(before.degree(v));
+    }
+  }
+  return mesh;
 }
 
-/// Shortest ways from every vertex to the nearest of some.
+double length_of_edges(const Mesh& mesh)
+{
+  double sum = 0;
+  for(const auto e : mesh.edges())
+    sum += PMP::edge_length(mesh.halfedge(e), mesh);
+  return sum;
+}
+
+/// Of a tube of radius r, the volume is r / 2 times the area. Noise adds to the area, and makes the
+/// ways longer by as much as the edges.
+double invalidation_distance(const Mesh& mesh)
+{
+  const Mesh smooth = smoothed(mesh);
+  const double radius = 2 * std::abs(PMP::volume(smooth)) / PMP::area(smooth);
+  return share_of_girth * 2 * CGAL_PI * radius * length_of_edges(mesh) / length_of_edges(smooth);
+}
+
+/// The shortest ways along the edges from every vertex to the nearest of some.
 struct Ways
 {
   std::vector<double> length;
   std::vector<Vertex> next; ///< itself, if there
-};
 
-Ways ways_to(const std::vector<Vertex>& goals, const Mesh& mesh)
-{
-  const auto index = get(boost::vertex_index, mesh);
-  Ways ways;
-  ways.length.resize(mesh.number_of_vertices());
-  ways.next.resize(mesh.number_of_vertices());
-  boost::dijkstra_shortest_paths(
-      mesh, goals.data(), goals.data() + goals.size(),
-      boost::make_iterator_property_map(ways.next.begin(), index),
-      boost::make_iterator_property_map(ways.length.begin(), index), get(boost::edge_weight, mesh),
-      index, std::less<double>(), boost::closed_plus<double>(),
-      std::numeric_limits<double>::infinity(), 0.0, boost::default_dijkstra_visitor());
-  return ways;
-}
+  explicit Ways(const Mesh& mesh)
+      : length(mesh.number_of_vertices(), std::numeric_limits<double>::infinity())
+      , next(mesh.number_of_vertices())
+  {}
+
+  /// More to go to: Dijkstra's algorithm, as far as they are nearer than those before.
+  void add_goals(const std::vector<Vertex>& goals, const Mesh& mesh)
+  {
+    using Entry = std::tuple<double, Vertex, Vertex>; // length, from, next
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    for(const Vertex goal : goals)
+      queue.emplace(0, goal, goal);
+    while(!queue.empty()) {
+      const auto [way, v, to] = queue.top();
+      queue.pop();
+      if(way >= length[v])
+        continue;
+      length[v] = way;
+      next[v] = to;
+      for(const auto h : CGAL::halfedges_around_target(mesh.halfedge(v), mesh))
+        queue.emplace(way + PMP::edge_length(h, mesh), mesh.source(h), v);
+    }
+  }
+};
 
 /// Where the length is greatest.
 Vertex farthest(const std::vector<double>& length)
@@ -70,15 +106,16 @@ public:
       : vertices_{root}
   {}
 
-  const std::vector<Vertex>& vertices() const { return vertices_; }
-
-  /// Adds the way from `tip`, which is not in the tree, to it.
-  void add_branch(Vertex tip, const Ways& ways)
+  /// Adds the way from `tip`, which is not in the tree, to it; the branch becomes a goal of ways.
+  void add_branch(Vertex tip, Ways& ways, const Mesh& mesh)
   {
+    std::vector<Vertex> branch;
     for(Vertex v = tip; ways.next[v] != v; v = ways.next[v]) {
-      vertices_.push_back(v);
+      branch.push_back(v);
       edges_.emplace_back(v, ways.next[v]);
     }
+    vertices_.insert(vertices_.end(), branch.begin(), branch.end());
+    ways.add_goals(branch, mesh);
   }
 
   void add_to(Skeleton& skeleton, const Mesh& mesh) const
@@ -102,14 +139,16 @@ private:
 
 Tree tree_of(const Mesh& mesh)
 {
-  const Vertex root = farthest(ways_to({*mesh.vertices_begin()}, mesh).length);
+  Ways from_any(mesh);
+  from_any.add_goals({*mesh.vertices_begin()}, mesh);
+  const Vertex root = farthest(from_any.length);
   const double reach = invalidation_distance(mesh);
   Tree tree(root);
-  Ways ways = ways_to({root}, mesh);
+  Ways ways(mesh);
+  ways.add_goals({root}, mesh);
   std::vector<double> from_root = ways.length; // 0 once a branch is near
   for(Vertex tip = farthest(from_root); from_root[tip] > 0; tip = farthest(from_root)) {
-    tree.add_branch(tip, ways);
-    ways = ways_to(tree.vertices(), mesh);
+    tree.add_branch(tip, ways, mesh);
     for(const Vertex v : mesh.vertices())
       if(ways.length[v] <= reach)
         from_root[v] = 0;

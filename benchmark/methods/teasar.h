@@ -20,7 +20,8 @@
 /// - The root is the vertex farthest from an arbitrary one, as Sato et al. have it: an end.
 /// - The given distance, which there depends on the distance to the boundary inside and has two
 ///   parameters: on a surface it has to reach around to the far side of a limb. It is half the
-///   girth of a tube that has the volume and the area of the component, and half as much again.
+///   girth of a tube that has the volume and the area of the component without its noise, and half
+///   as much again.
 Method_result teasar(const Method_input& input);
 
 #endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_METHODS_TEASAR_H
