@@ -47,9 +47,11 @@ function fixed(value, digits = 0) {
   return value === null || value === undefined ? '' : value.toFixed(digits);
 }
 
-/// Three significant digits, never in powers of ten.
+/// To the hundredth, or with two significant digits: what is fast is not 0, what is slow not exact.
 function seconds(value) {
   if (value === null || value === undefined)
     return '';
+  if (value < 0.1)
+    return value.toFixed(Math.min(4, value > 0 ? 1 - Math.floor(Math.log10(value)) : 2));
   return value >= 100 ? value.toFixed(0) : value >= 10 ? value.toFixed(1) : value.toFixed(2);
 }

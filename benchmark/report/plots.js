@@ -29,12 +29,16 @@ function countScale() {
   };
 }
 
+/// With lines at 1, 2 and 5 of every power of ten.
 function logarithmicScale(title) {
   return {
     type: 'logarithmic',
     title: { display: title !== '', text: title },
-    ticks: { maxRotation: 0, callback: (value) => // 1, 2 and 5 of every power of ten
-      '125'.includes(value.toExponential(0)[0]) ? String(Number(value.toPrecision(1))) : '' },
+    afterBuildTicks: (axis) => {
+      axis.ticks = axis.ticks.filter(({ value }) => '125'.includes(value.toExponential(0)[0]));
+    },
+    ticks: { autoSkip: false, maxRotation: 0,
+      callback: (value) => String(Number(value.toPrecision(1))) },
   };
 }
 
@@ -71,7 +75,7 @@ function addNoisePlots(id, levels, value, scale, tip) {
         noisePlot(input, levels, datasets, scale, tip));
   }
   if (!parent.hasChildNodes())
-    parent.append('Not measured: this needs several levels of noise.');
+    parent.append('Nothing of it was measured.');
 }
 
 function noisePlot(input, levels, datasets, scale, tip) {
@@ -92,7 +96,9 @@ function makeSecondPlot() {
     data: inputs.map((input) => ({ row: rowAt(variant, input, chosenNoise.value), y: line }))
       .filter(({ row }) => row && row.status === 'ok')
       .map(({ row, y }) => ({ x: row.seconds, y, input: row.input })) }));
-  addChart(document.getElementById('second_plot'), 'seconds of every method', {
+  const parent = document.getElementById('second_plot');
+  parent.style.setProperty('--lines', variants.length);
+  addChart(parent, 'seconds of every method', {
     type: 'scatter', data: { datasets }, options: {
       maintainAspectRatio: false,
       plugins: { tooltip: { callbacks: {
