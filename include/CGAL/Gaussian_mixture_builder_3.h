@@ -25,9 +25,9 @@ class L1_medial_skeletonization_3;
 /// larger than memory can be skeletonised: give it to `extract_l1_medial_skeleton()`,
 /// `L1_medial_skeletonization_3` or `fit_gaussian_mixture()` in place of the points.
 ///
-/// The moments are those of the cells of a grid over a given box. When more than a bounded number is
-/// occupied, 2 x 2 x 2 become one, which is exact; so memory is bounded, by about 100 MB, whatever
-/// the number of points.
+/// The moments are those of the cells of a grid over a given box. When more than a bounded number
+/// is occupied, 2 x 2 x 2 become one, which is exact; so memory is bounded, by about 100 MB,
+/// whatever the number of points.
 ///
 /// What is inserted into one builder gives the same bits however it is cut into chunks, and if the
 /// box is the bounding box of the points, the bits of the whole range given at once. Another order
