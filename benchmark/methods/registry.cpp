@@ -5,6 +5,7 @@
 
 #include "l1_medial.h"
 #include "l1_medial_published.h"
+#include "l1_wlop.h"
 #include "lapcon08_ec.h"
 #include "lapcon08_vc.h"
 #include "lapcon10.h"
@@ -28,6 +29,7 @@ const std::vector<Registered_method>& registered_methods()
       {"wrap_mcf", Needs::points, wrap_mcf, "CGAL, Portaneri et al. 2022, then mcf"},
       {"poisson_mcf", Needs::points_and_normals, poisson_mcf,
        "CGAL, Kazhdan et al. 2006, then mcf"},
+      {"l1_wlop", Needs::points, l1_wlop, "Huang et al. 2013"},
       {"rosa", Needs::points_and_normals, rosa, "Tagliasacchi et al. 2009"},
       {"lapcon10", Needs::points, lapcon10, "Cao et al. 2010"},
       {"lapcon08_vc", Needs::mesh, lapcon08_vc, "Au et al. 2008, vertex clustering"},
