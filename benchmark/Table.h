@@ -19,10 +19,10 @@
 #include <utility>
 #include <vector>
 
-/// With `digits` after the point; "-" if it is not a number.
+/// With `digits` after the point; "-" if it is not finite.
 inline std::string fixed(double number, int digits)
 {
-  if(std::isnan(number))
+  if(!std::isfinite(number))
     return "-";
   std::ostringstream out;
   out << std::fixed << std::setprecision(digits) << number;

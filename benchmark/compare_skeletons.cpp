@@ -5,7 +5,10 @@
 
 #include "comparison/compare.h"
 #include "comparison/compared_columns.h"
+#include "comparison/lost_figures.h"
 #include "report/html_report.h"
+
+#include "generator/families.h"
 
 #include <CLI/CLI.hpp>
 
@@ -21,9 +24,12 @@
 
 namespace {
 
-std::string list_of_methods()
+std::string list_of_names()
 {
-  std::string list = "Methods:";
+  std::string list = "Families:";
+  for(const std::string& family : shapes::family_names())
+    list += ' ' + family;
+  list += "\nMethods:";
   for(const Registered_method& method : registered_methods())
     list += "\n  " + method.name + ": " + method.source;
   return list;
@@ -31,7 +37,9 @@ std::string list_of_methods()
 
 void add_options(CLI::App& app, Comparison_options& options)
 {
-  app.add_option("INPUT", options.inputs, "meshes, to draw points from, or clouds")->required();
+  app.add_option("INPUT", options.inputs,
+                 "meshes, to draw points from, clouds, or FAMILY:SEED, generated")
+      ->required();
   app.add_option("--methods", options.methods, "some only, a,b")->delimiter(',');
   app.add_option("--noise", options.noise, "standard deviations, in diagonals [0]")
       ->delimiter(',')
@@ -47,7 +55,7 @@ void add_options(CLI::App& app, Comparison_options& options)
   app.add_option("--output", options.output, "for results.csv and report.html")
       ->type_name("FOLDER")
       ->required();
-  app.footer(list_of_methods());
+  app.footer(list_of_names());
 }
 
 std::vector<Registered_method> chosen_methods(const Comparison_options& options)
@@ -89,7 +97,9 @@ int run(int argc, char** argv)
     throw std::runtime_error(std::string(error.what()) + " (try --help)");
   }
   std::sort(options.noise.begin(), options.noise.end()); // the clean ones first
-  write_html_report(options.output + "/report.html", run(options));
+  const std::vector<Compared> rows = run(options);
+  write_html_report(options.output + "/report.html", rows);
+  print_standing(std::cout, standing_of(rows));
   return EXIT_SUCCESS;
 }
 

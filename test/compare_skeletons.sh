@@ -75,7 +75,19 @@ check "a wrap is a stage" sh -c 'grep "wrapped mesh" out1/results.csv | grep -q 
 has torus 0.0000 mcf mesh moved -
 check "noise moves" test "$(row torus 0.0050 mcf mesh | cut -d, -f22)" != -
 
+accepts ring:1 ring:none --output out1 --points 2000 --noise 0,0.01 --methods l1_medial,lapcon10,mcf
+for noise in 0.0000 0.0100; do
+  has ring:1 $noise l1_medial points components_true 1
+  has ring:1 $noise l1_medial points cycles_true 1
+  has ring:1 $noise l1_medial points ends_true 0
+  has ring:1 $noise mcf mesh cycles 1
+  has ring:none $noise mcf mesh status unreadable
+done
+check "how this package stands among methods that take raw points" \
+  grep -q "^l1_medial is first or within 5 % of the first in [0-9]* of 9 figures" out
+
 accepts torus.off --output out1 --points 100000 --time-limit 0.05 --methods l1_medial
 has torus 0.0000 l1_medial points status time_limit
 has torus 0.0000 l1_medial points components -
+check "nothing is said of one method" sh -c '! grep -q "first or within" out'
 finish

@@ -11,7 +11,7 @@
 /// The command line of `compare_skeletons`.
 struct Comparison_options
 {
-  std::vector<std::string> inputs;  ///< files
+  std::vector<std::string> inputs;  ///< files or generated shapes
   std::vector<std::string> methods; ///< all if empty
   std::vector<double> noise = {0};  ///< standard deviations, in diagonals, ascending
   std::size_t points = 20000;       ///< drawn from a mesh

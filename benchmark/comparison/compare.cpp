@@ -6,6 +6,7 @@
 #include "../Model.h"
 #include "../measure_skeleton.h"
 #include "Compared_input.h"
+#include "generated_model.h"
 #include "isolated_run.h"
 #include "nearest_point_radii.h"
 
@@ -19,13 +20,13 @@ namespace {
 
 using Use = std::function<void(const Compared&)>;
 
-/// The rows of a file that cannot be read.
-void add_unreadable(const std::string& file, const std::string& message,
+/// The rows of an input that cannot be read.
+void add_unreadable(const std::string& input, const std::string& message,
                     const std::vector<Registered_method>& methods,
                     const Comparison_options& options, const Use& use)
 {
   Compared row;
-  row.input = name_of(file);
+  row.input = is_generated(input) ? input : name_of(input);
   row.status = "unreadable";
   row.message = message;
   for(const double noise : options.noise)
@@ -44,13 +45,19 @@ bool has_radii(const Skeleton& skeleton)
                      [&skeleton](auto v) { return skeleton[v].radius > 0; });
 }
 
+Model model_of(const std::string& input, const Comparison_options& options)
+{
+  return is_generated(input) ? generated_model(input, options.points, options.seed)
+                             : read_model(input, options.points, options.seed);
+}
+
 class Model_comparison
 {
 public:
-  /// \throw std::exception if the file cannot be read, or its mesh not be remeshed
-  Model_comparison(const std::string& file, const std::vector<Registered_method>& methods,
+  /// \throw std::exception if it cannot be read, or its mesh not be remeshed
+  Model_comparison(const std::string& input, const std::vector<Registered_method>& methods,
                    const Comparison_options& options)
-      : model_(read_model(file, options.points, options.seed))
+      : model_(model_of(input, options))
       , methods_(methods)
       , options_(options)
   {
@@ -113,14 +120,14 @@ private:
 
 } // namespace
 
-void compare(const std::string& file, const std::vector<Registered_method>& methods,
+void compare(const std::string& input, const std::vector<Registered_method>& methods,
              const Comparison_options& options, const Use& use)
 {
   std::optional<Model_comparison> comparison;
   try {
-    comparison.emplace(file, methods, options);
+    comparison.emplace(input, methods, options);
   } catch(const std::exception& error) {
-    add_unreadable(file, error.what(), methods, options, use);
+    add_unreadable(input, error.what(), methods, options, use);
     return;
   }
   comparison->run(use);

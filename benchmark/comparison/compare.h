@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-/// Runs the methods on a file with all levels of noise, and hands over the rows as they come: one
-/// at least for every method and level, whatever happens.
-void compare(const std::string& file, const std::vector<Registered_method>& methods,
+/// Runs the methods on a file or a generated shape with all levels of noise, and hands over the
+/// rows as they come: one at least for every method and level, whatever happens.
+void compare(const std::string& input, const std::vector<Registered_method>& methods,
              const Comparison_options& options, const std::function<void(const Compared&)>& use);
 
 #endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_COMPARISON_COMPARE_H

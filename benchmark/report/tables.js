@@ -33,10 +33,11 @@ function paperMethod(variant) {
   return paper.methods.find((method) => method.ours.includes(variant));
 }
 
-/// The paper's models, each with our shapes of its kind; then our other shapes.
+/// The paper's models, each with our shapes of its kind, of generated ones whatever the seed; then
+/// our other shapes.
 const KINDS = (() => {
   const known = paper.models.map((model, place) => ({ ...model, place,
-    inputs: inputs.filter((input) => model.here.includes(input)) }));
+    inputs: inputs.filter((input) => model.here.includes(input.replace(/:.*/, ''))) }));
   const others = inputs.filter((input) => known.every((kind) => !kind.inputs.includes(input)));
   return others.length === 0 ? known : [...known, { kind: 'other shapes', inputs: others }];
 })();
