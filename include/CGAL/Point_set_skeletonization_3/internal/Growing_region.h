@@ -4,7 +4,6 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_GROWING_REGION_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_GROWING_REGION_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/Connectivity.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 #include <CGAL/Point_set_skeletonization_3/internal/samples.h>
 
@@ -96,9 +95,9 @@ public:
     absorb(0);
     Local_separator result;
     bool whole = false; // the front; it cannot fall apart while it stays the same
-    for(reach_ = growth * radius; reach_ < flattest * radius; reach_ *= growth) {
+    for(double reach = growth * radius; reach < flattest * radius; reach *= growth) {
       const std::size_t size = region_.size();
-      grow();
+      grow(reach);
       if(front_.empty() || region_.size() > patches_.size() / 2)
         break;
       if(whole && region_.size() == size)
@@ -129,18 +128,12 @@ private:
     }
   };
 
-  // Labels of patches; those of the front are numbered by part while it is looked at in parts.
-  static constexpr std::size_t outside = std::numeric_limits<std::size_t>::max();
-  static constexpr std::size_t region = outside - 1;
-  static constexpr std::size_t front = outside - 2;
-  static bool is_part(std::size_t label) { return label < front; }
-
-  double distance_to_center(std::size_t i) const { return (patches_[i].mean - center_).norm(); }
+  enum Label : char { outside, region, front, part_of_front };
 
   void add_to_front(std::size_t i)
   {
     label_[i] = front;
-    distance_[i] = distance_to_center(i);
+    distance_[i] = (patches_[i].mean - center_).norm();
     front_.push_back(i);
   }
 
@@ -157,10 +150,10 @@ private:
         add_to_front(edge.patch);
   }
 
-  void grow()
+  void grow(double reach)
   {
     for(std::size_t k = 0; k < front_.size();)
-      if(distance_[front_[k]] <= reach_)
+      if(distance_[front_[k]] <= reach)
         absorb(k);
       else
         ++k;
@@ -176,85 +169,35 @@ private:
   }
 
   /// The front in parts that do not hang together, each ascending, the largest first; none if it is
-  /// in one piece. Parts that the patches beyond connect, within not much more than the ball, are
-  /// one: the region went around a hole of the data.
+  /// in one piece.
   std::vector<Part> connected_parts()
   {
-    const std::vector<std::size_t> sizes = label_front();
     std::vector<Part> parts;
-    if(sizes.size() > 1) {
-      Connectivity joined(sizes.size());
-      if(!join_beyond(sizes, joined)) {
-        parts.resize(sizes.size());
-        for(std::size_t i : front_)
-          parts[joined.root(label_[i])].push_back(i);
-      }
+    for(std::size_t start : front_) {
+      if(label_[start] != front)
+        continue;
+      Part part;
+      const auto add = [&](std::size_t i) {
+        label_[i] = part_of_front;
+        part.push_back(i);
+      };
+      add(start);
+      for(std::size_t next = 0; next < part.size() && part.size() < front_.size(); ++next)
+        for(const auto& edge : edges_[part[next]])
+          if(label_[edge.patch] == front)
+            add(edge.patch);
+      parts.push_back(std::move(part));
     }
-    for(std::size_t k = 0; k < labelled_.size(); ++k)
-      label_[labelled_[k]] = k < front_.size() ? front : outside;
-    labelled_.clear();
-
-    parts.erase(std::remove(parts.begin(), parts.end(), Part()), parts.end());
+    for(std::size_t i : front_)
+      label_[i] = front;
+    if(parts.size() == 1)
+      return {};
     for(Part& part : parts)
       std::sort(part.begin(), part.end());
     std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
       return a.size() != b.size() ? a.size() > b.size() : a < b;
     });
     return parts;
-  }
-
-  void label(std::size_t i, std::size_t part)
-  {
-    label_[i] = part;
-    labelled_.push_back(i);
-  }
-
-  /// Labels what hangs together in the front itself; returns the number of patches of every part.
-  std::vector<std::size_t> label_front()
-  {
-    std::vector<std::size_t> sizes;
-    for(std::size_t start : front_) {
-      if(label_[start] != front)
-        continue;
-      const std::size_t part = sizes.size(), before = labelled_.size();
-      label(start, part);
-      for(std::size_t next = before; next < labelled_.size() && labelled_.size() < front_.size();
-          ++next)
-        for(const auto& edge : edges_[labelled_[next]])
-          if(label_[edge.patch] == front)
-            label(edge.patch, part);
-      sizes.push_back(labelled_.size() - before);
-    }
-    return sizes;
-  }
-
-  /// Joins the parts that the patches beyond the front connect; true if that makes them all one.
-  /// Every part but the largest looks for others, until it is one with the largest.
-  bool join_beyond(const std::vector<std::size_t>& sizes, Connectivity& joined)
-  {
-    // The way around a hole of the data as wide as the limb is in a ball of 1.4 times its radius,
-    // the way around a hole of the shape is not.
-    constexpr double detour = 1.5;
-    constexpr double few_patches = 4;
-    const double shell =
-        std::max(detour * reach_, reach_ + few_patches * patches_[region_.front()].spacing);
-
-    const auto largest =
-        static_cast<std::size_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
-    std::size_t parts = sizes.size();
-    for(std::size_t next = 0; next < labelled_.size() && parts > 1; ++next) {
-      const std::size_t part = label_[labelled_[next]];
-      if(joined.root(part) == joined.root(largest))
-        continue;
-      for(const auto& edge : edges_[labelled_[next]]) {
-        const std::size_t j = edge.patch, other = label_[j];
-        if(other == outside && distance_to_center(j) <= shell)
-          label(j, part);
-        else if(is_part(other) && other != part && joined.join(part, other))
-          --parts;
-      }
-    }
-    return parts == 1;
   }
 
   /// Whether a limb goes on from the region in two directions. More than two make a junction, which
@@ -346,13 +289,11 @@ private:
   const Patch_edges& edges_;
   const std::vector<Sample>& samples_;
   Vector3 center_ = Vector3::Zero();
-  double reach_ = 0;
   std::vector<std::size_t> region_; ///< The seed first.
   std::vector<std::size_t> front_;
-  std::vector<std::size_t> labelled_; ///< Patches that the parts reach, the front first.
 
   // Of every patch; as at the beginning wherever no region is.
-  std::vector<std::size_t> label_;
+  std::vector<Label> label_;
   std::vector<double> distance_; ///< To the centre, of the front.
   std::vector<Nearest> nearest_; ///< Default outside.
 };

@@ -7,7 +7,6 @@
 #include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Skeletonization_stages.h>
 #include <CGAL/Point_set_skeletonization_3/internal/grid_moments.h>
-#include <CGAL/Point_set_skeletonization_3/internal/false_loops.h>
 #include <CGAL/Point_set_skeletonization_3/internal/local_separators.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial_balls.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial_projection.h>
@@ -126,11 +125,14 @@ public:
   {
     if(samples.empty())
       return progress(1);
-    std::vector<Local_separator> separators = disjoint_separators(surface_->patches, samples);
+    const std::vector<Patch>& patches = surface_->patches;
+    // In clean data the ball of a patch is unknown where limbs touch; noise hides it in any thin limb.
+    const Limb_joints joints(patches, samples, noise_);
+    const std::vector<Local_separator> separators =
+      disjoint_separators<ConcurrencyTag>(patches, samples, joints, *surface_->winding_number);
     if(!progress(0.6))
       return false;
-    const Surface_quotient quotient =
-      quotient_without_false_loops(surface_->patches, samples, *surface_->winding_number, separators);
+    const Surface_quotient quotient = surface_quotient(patches, samples, joints, separators);
     graph = quotient.graph;
     const auto patches_of = patches_of_vertices(quotient.vertex_of_patch, graph.vertices.size());
     const std::vector<bool> stray = stray_vertices(graph, weights(patches_of));
@@ -176,6 +178,7 @@ private:
     const Grid_cells cells = grid_cells(
       kept.size(), [&](std::size_t k) { return clean.positions[kept[k]]; },
       levels_.front().cell_size());
+    noise_ = clean.noise;
     patch_of_component_.assign(components.size(), none);
     std::vector<std::vector<std::size_t>> members(cells.size);
     for(std::size_t k = 0; k < kept.size(); ++k) {
@@ -259,6 +262,7 @@ private:
   std::vector<Grid_level> levels_;
   const std::vector<Vector3>* points_ = nullptr;
   std::vector<std::size_t> patch_of_component_; ///< `none` for outliers.
+  double noise_ = 0;                            ///< In [0, 1].
   std::unique_ptr<Oriented_surface<ConcurrencyTag>> surface_;
 };
 

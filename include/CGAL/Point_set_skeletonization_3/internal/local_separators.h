@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/Growing_region.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Way_around.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 #include <CGAL/Point_set_skeletonization_3/internal/samples.h>
@@ -63,11 +64,13 @@ std::vector<Local_separator> grown_separators(const std::vector<Patch>& patches,
   return result;
 }
 
-/// Separators all over the shape, the shortest first and none touching a patch of another: of all
-/// that cross one place the tightest is the cross-section.
+/// Separators that cut limbs, all over the shape, the shortest first and none touching a patch of
+/// another: of all that cross one place the tightest is the cross-section.
 template <typename ConcurrencyTag = Sequential_tag>
 std::vector<Local_separator> disjoint_separators(const std::vector<Patch>& patches,
-                                                 const std::vector<Sample>& samples)
+                                                 const std::vector<Sample>& samples,
+                                                 const Limb_joints& joints,
+                                                 const Winding_number& winding_number)
 {
   std::vector<Local_separator> found =
       grown_separators<ConcurrencyTag>(patches, samples, separator_seeds(samples));
@@ -75,11 +78,13 @@ std::vector<Local_separator> disjoint_separators(const std::vector<Patch>& patch
     return a.length != b.length ? a.length < b.length : a.patches < b.patches;
   });
 
+  Way_around way_around(patches, samples, joints, winding_number);
   std::vector<bool> taken(patches.size(), false);
   std::vector<Local_separator> result;
   for(Local_separator& separator : found) {
     if(std::any_of(separator.patches.begin(), separator.patches.end(),
-                   [&](std::size_t i) { return taken[i]; }))
+                   [&](std::size_t i) { return taken[i]; }) ||
+       !way_around.cuts(separator))
       continue;
     for(std::size_t i : separator.patches)
       taken[i] = true;

@@ -134,6 +134,10 @@ inline double visible_distance(const Vector3& q, const Oriented_mixture::Level& 
   return nearest < std::numeric_limits<double>::infinity() ? std::sqrt(nearest) : 0;
 }
 
+/// Winding number from which a place counts as inside. Not 0.5: it is low near a hole of the data and
+/// in a limb so thin that its patches are no planes.
+constexpr double least_inside = 0.25;
+
 /// Samples at the patch means, moved to the centre of their medial ball where there is one.
 template <typename ConcurrencyTag>
 std::vector<Sample> medial_samples(const std::vector<Patch>& patches,
@@ -149,7 +153,7 @@ std::vector<Sample> medial_samples(const std::vector<Patch>& patches,
     s.kernel_radius = options.kernel_ratio * std::max(ball_radii[i], patches[i].spacing / 2);
     const Vector3 center = patches[i].mean - ball_radii[i] * patches[i].normal;
     // Else the normal points the wrong way: let the projection find the way in.
-    if(confidence[i] >= trusted_orientation && winding_number(center) >= 0.5)
+    if(confidence[i] >= trusted_orientation && winding_number(center) >= least_inside)
       s.position = center;
   });
   return samples;
@@ -162,14 +166,12 @@ template <typename ConcurrencyTag>
 void bring_back_lost_samples(std::vector<Sample>& samples, const std::vector<Patch>& patches,
                              const Winding_number& winding_number)
 {
-  // 0.25 rather than 0.5: near a hole of the data the number is low inside as well.
-  constexpr double inside = 0.25;
   // A limb is wider than thick, and in a flat part a sample slides along its medial sheet.
   constexpr double reach = 3;
   parallel_for<ConcurrencyTag>(samples.size(), [&](std::size_t i) {
     Sample& sample = samples[i];
     if((sample.position - sample.origin).norm() > reach * sample.radius + patches[i].spacing ||
-       winding_number(sample.position) < inside) {
+       winding_number(sample.position) < least_inside) {
       sample.position = sample.origin;
       sample.radius = 0;
     }

@@ -31,6 +31,7 @@ struct Local_fit
   Vector3 normal = Vector3::UnitZ();
   double density = 0;   ///< Weight in the window over its area.
   double roughness = 1; ///< The smallest principal variance over the next: 0 a plane, 1 a blob.
+  double thickness = 0; ///< Square root of the smallest principal variance.
 };
 
 /// The mixture seen through windows of one size, at a resolution that fits.
@@ -64,6 +65,7 @@ public:
     const Vector3 variance = solver.eigenvalues().cwiseMax(0);
     fit.mean = window.mean;
     fit.normal = solver.eigenvectors().col(0);
+    fit.thickness = std::sqrt(variance[0]);
     fit.density = moments.weight() / (radius_ * radius_);
     // A line, to rounding, is as rough as a blob: it has no normal.
     if(variance[1] > 1e-10 * variance[2])
@@ -104,6 +106,7 @@ struct Consolidated_surface
 {
   std::vector<Vector3> positions;
   std::vector<bool> outlier;
+  double noise = 0; ///< In [0, 1]: how much was to be taken off.
 };
 
 /// Takes the noise off a mixture: moves its components to the surface that they scatter around.
@@ -112,8 +115,8 @@ struct Consolidated_surface
 /// small windows rough, curvature and neighbouring sheets make large ones rough; so it is the first
 /// of a row of sizes whose roughness is small, or grows with the next size. What counts is the first
 /// quartile over the shape: noise is everywhere, and nearly every shape is smooth for a quarter.
-/// A component moves to the plane fitted in its window; where there is no plane - in heavy noise, in
-/// a twig thinner than that - to the mean, as mean shift does (Comaniciu & Meer 2002). Without noise
+/// A component moves to the plane fitted in its window; where there is none, in a twig as thin as the
+/// noise, to the mean, as mean shift does (Comaniciu & Meer 2002). Without noise
 /// nothing moves.
 template <typename ConcurrencyTag>
 class Surface_consolidation
@@ -132,6 +135,7 @@ public:
   {
     drop_isolated();
     measure_noise();
+    result_.noise = strength_;
     constexpr int passes = 4; // the first halves the noise, the last finds nothing to do
     for(int pass = 0; pass < passes; ++pass) {
       move();
@@ -177,8 +181,11 @@ private:
     for(std::size_t size = 0; size < sizes; ++size) {
       const Mixture_window view = window(size);
       std::vector<double> roughness((mixture_.size() + every - 1) / every);
+      std::vector<double> thickness(roughness.size());
       parallel_for<ConcurrencyTag>(roughness.size(), [&](std::size_t k) {
-        roughness[k] = view(result_.positions[k * every]).roughness;
+        const Local_fit fit = view(result_.positions[k * every]);
+        roughness[k] = fit.roughness;
+        thickness[k] = fit.thickness;
       });
       const double quartile = quantile(roughness, 0.25);
       // Uneven sampling alone measures up to 0.03, noise of a quarter of the spacing 0.05 and more.
@@ -187,6 +194,7 @@ private:
       if(quartile > least)
         return;
       size_ = size;
+      noise_ = quantile(thickness, 0.25);
       least = quartile;
       if(quartile < smooth)
         return;
@@ -245,9 +253,12 @@ private:
       const Local_fit fit = (*views[size[i]])(position);
       density_[i] = fit.density;
       const double blob = std::min(1.0, std::max(0.0, (fit.roughness - 0.1) / 0.2));
+      // A blob is a limb narrower than the window. If it is hardly thicker than the noise - the radius
+      // of a twig is that of the noise where this is 1.2, its double where it is 1.7 - it has drowned.
+      const double drowned = std::min(1.0, std::max(0.0, 2 * (1.65 - fit.thickness / noise_)));
       const Vector3 step = fit.mean - position;
       position +=
-        strength_ * ((1 - blob) * fit.normal.dot(step) * fit.normal + blob * step);
+        strength_ * ((1 - blob) * fit.normal.dot(step) * fit.normal + blob * drowned * step);
     });
   }
 
@@ -282,6 +293,7 @@ private:
   std::vector<double> density_;
   std::size_t size_ = 0;
   double strength_ = 0;
+  double noise_ = 0; ///< Thickness of the noisy surface: one standard deviation.
   Consolidated_surface result_;
 };
 

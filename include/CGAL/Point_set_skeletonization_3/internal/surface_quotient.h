@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/Connectivity.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/limb_joints.h>
 #include <CGAL/Point_set_skeletonization_3/internal/local_separators.h>
 
 #include <algorithm>
@@ -30,41 +31,37 @@ struct Surface_quotient
 /// its sides, so that the graph has the loops of the surface: a handle is cut open by its
 /// separators, which its pieces connect, and what touches a separator on one side is one piece
 /// however many strips it falls into.
+///
+/// Limbs that touch are one surface to the points. So patches are one piece where the balls inside
+/// them are joined; where they are not - or where nothing is known - only if the shape would fall
+/// apart otherwise: a loop needs evidence, to hang together needs none.
 class Surface_cut
 {
 public:
-  Surface_cut(const std::vector<Patch>& patches, const std::vector<Local_separator>& separators)
-    : separators_(separators), piece_of_patch_(patches.size(), none),
+  Surface_cut(const std::vector<Patch>& patches, const Limb_joints& joints,
+              const std::vector<Local_separator>& separators)
+    : separators_(separators), separator_of_patch_(patches.size(), none),
       connectivity_(2 * separators.size() + patches.size())
   {
-    std::vector<std::size_t> separator_of_patch(patches.size(), none);
     for(std::size_t s = 0; s < separators.size(); ++s)
       for(std::size_t i : separators[s].patches)
-        separator_of_patch[i] = s;
+        separator_of_patch_[i] = s;
 
-    // Nodes: the two sides of every separator, then every patch that belongs to none.
-    for(std::size_t i = 0; i < patches.size(); ++i)
-      for(std::size_t j : patches[i].neighbors)
-        if(separator_of_patch[i] == none && separator_of_patch[j] == none)
-          connectivity_.join(node(i), node(j));
+    std::vector<Link> links = links_between(patches, joints);
+    std::stable_sort(links.begin(), links.end(),
+                     [](const Link& a, const Link& b) { return a.joint > b.joint; });
+    Connectivity whole(2 * separators.size() + patches.size()); // with the separators' two sides one
     for(std::size_t s = 0; s < separators.size(); ++s)
-      for(std::size_t side = 0; side < 2; ++side)
-        for(std::size_t i : separators[s].sides[side]) {
-          if(separator_of_patch[i] == none)
-            connectivity_.join(node(s, side), node(i));
-          else
-            join_touching(s, side, i, separator_of_patch[i], separator_of_patch, patches);
-        }
-    for(std::size_t i = 0; i < patches.size(); ++i)
-      if(separator_of_patch[i] == none)
-        piece_of_patch_[i] = connectivity_.root(node(i));
-    separator_of_patch_ = std::move(separator_of_patch);
+      whole.join(node(s, 0), node(s, 1));
+    for(const Link& link : links)
+      if(whole.join(link.a, link.b) || link.joint >= Limb_joints::least_joint)
+        connectivity_.join(link.a, link.b);
   }
 
   /// The separator of a patch; `none` if it belongs to a piece.
   std::size_t separator(std::size_t patch) const { return separator_of_patch_[patch]; }
   /// A name of the piece of a patch that belongs to no separator.
-  std::size_t piece(std::size_t patch) const { return piece_of_patch_[patch]; }
+  std::size_t piece(std::size_t patch) { return connectivity_.root(node(patch)); }
   /// The same name for the piece on a side of a separator.
   std::size_t piece(std::size_t separator, std::size_t side)
   {
@@ -74,25 +71,48 @@ public:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 private:
+  /// Two nodes that touch, and how wide their joint is, in [0, 1].
+  struct Link
+  {
+    double joint;
+    std::size_t a, b;
+  };
+
+  // Nodes: the two sides of every separator, then every patch.
   std::size_t node(std::size_t separator, std::size_t side) const { return 2 * separator + side; }
   std::size_t node(std::size_t patch) const { return 2 * separators_.size() + patch; }
 
-  /// Where two separators touch, the side of the one is the side of the other.
-  void join_touching(std::size_t s, std::size_t side, std::size_t i, std::size_t t,
-                     const std::vector<std::size_t>& separator_of_patch,
-                     const std::vector<Patch>& patches)
+  std::vector<Link> links_between(const std::vector<Patch>& patches, const Limb_joints& joints) const
   {
-    for(std::size_t j : patches[i].neighbors)
-      if(separator_of_patch[j] == s)
-        for(std::size_t other = 0; other < 2; ++other)
-          if(std::binary_search(separators_[t].sides[other].begin(),
-                                separators_[t].sides[other].end(), j))
-            connectivity_.join(node(s, side), node(t, other));
+    std::vector<Link> links;
+    for(std::size_t i = 0; i < patches.size(); ++i)
+      for(std::size_t j : patches[i].neighbors) {
+        const bool in_one = separator_of_patch_[i] != none &&
+                            separator_of_patch_[i] == separator_of_patch_[j];
+        const std::size_t a = end(i, j), b = end(j, i);
+        if(i < j && !in_one && a != none && b != none)
+          links.push_back({joints.width(i, j), a, b});
+      }
+    return links;
+  }
+
+  /// The node of patch `i` where it touches patch `j`: its own, or if it belongs to a separator that
+  /// of the side where `j` is; `none` if `j` is on neither.
+  std::size_t end(std::size_t i, std::size_t j) const
+  {
+    const std::size_t s = separator_of_patch_[i];
+    if(s == none)
+      return node(i);
+    for(std::size_t side = 0; side < 2; ++side) {
+      const std::vector<std::size_t>& beside = separators_[s].sides[side];
+      if(std::binary_search(beside.begin(), beside.end(), j))
+        return node(s, side);
+    }
+    return none;
   }
 
   const std::vector<Local_separator>& separators_;
   std::vector<std::size_t> separator_of_patch_;
-  std::vector<std::size_t> piece_of_patch_;
   Connectivity connectivity_;
 };
 
@@ -136,10 +156,11 @@ inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
 /// middle of the samples of its patches.
 inline Surface_quotient surface_quotient(const std::vector<Patch>& patches,
                                          const std::vector<Sample>& samples,
+                                         const Limb_joints& joints,
                                          const std::vector<Local_separator>& separators)
 {
   constexpr std::size_t none = Surface_cut::none;
-  Surface_cut surface(patches, separators);
+  Surface_cut surface(patches, joints, separators);
   Surface_quotient result;
   result.graph.vertices.resize(separators.size(), {Vector3::Zero(), 0});
   std::vector<std::pair<std::size_t, std::size_t>> beside; // a vertex beside a separator

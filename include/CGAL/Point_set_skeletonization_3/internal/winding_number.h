@@ -117,21 +117,30 @@ private:
   std::vector<Group> groups_;   ///< Of every node of the tree.
 };
 
-/// Turns the patches around that have more inside in front of them than behind: the spanning tree
-/// of the orientation may have taken a wrong turn at a thin or sharp place, the rest of the surface
-/// outvotes it.
+/// Turns the patches around whose normals point into the shape: the spanning tree of the orientation
+/// may have taken a wrong turn at a thin or sharp place. The rest of the surface tells: it winds once
+/// around what is behind a patch, and not around what is in front. First whole limbs that are inside
+/// out, then patches that have more inside in front of them than behind.
 template <typename ConcurrencyTag>
 void settle_orientation(std::vector<Patch>& patches)
 {
-  const Winding_number winding_number(patches);
-  std::vector<char> wrong(patches.size(), 0);
-  parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
-    const Vector3 step = patches[i].spacing * patches[i].normal;
-    wrong[i] = winding_number(patches[i].mean + step) > winding_number(patches[i].mean - step);
-  });
-  for(std::size_t i = 0; i < patches.size(); ++i)
-    if(wrong[i])
-      patches[i].normal = -patches[i].normal;
+  const auto turn_where = [&](const auto& is_wrong) {
+    const Winding_number winding_number(patches);
+    std::vector<char> wrong(patches.size(), 0);
+    parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
+      const Vector3 step = patches[i].spacing * patches[i].normal;
+      wrong[i] =
+        is_wrong(winding_number(patches[i].mean + step), winding_number(patches[i].mean - step));
+    });
+    for(std::size_t i = 0; i < patches.size(); ++i)
+      if(wrong[i])
+        patches[i].normal = -patches[i].normal;
+  };
+  // The sum of both sides is 1 where the surroundings are oriented well, -1 where they are inside
+  // out, and 0 on an open sheet, which has no inside.
+  constexpr double inside_out = -0.5;
+  turn_where([](double in_front, double behind) { return in_front + behind < inside_out; });
+  turn_where([](double in_front, double behind) { return in_front > behind; });
 }
 
 } // namespace internal

@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_RUBBER_BAND_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_RUBBER_BAND_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/winding_number.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// A rubber band in the solid: a closed curve that becomes shorter as far as it can without leaving
+/// the solid. Around a hole of the shape it stays; elsewhere it shrinks to a point, however it is
+/// bent. A hole of the data does not hold it: the winding number closes that.
+class Rubber_band
+{
+public:
+  /// `curve` has its points in order. \pre it is not empty; `resolution` is positive
+  Rubber_band(const std::vector<Vector3>& curve, double resolution,
+              const Winding_number& winding_number)
+      : resolution_(resolution)
+      , winding_number_(winding_number)
+  {
+    double length = 0;
+    for(std::size_t i = 0; i < curve.size(); ++i)
+      length += (curve[i] - next(curve, i)).norm();
+    double way = 0;
+    std::size_t k = 0;
+    for(std::size_t i = 0; i < curve.size(); ++i) {
+      const double step = (curve[i] - next(curve, i)).norm();
+      for(; k < size && at(k) * length <= way + step; ++k) {
+        const double t = step > 0 ? (at(k) * length - way) / step : 0;
+        points_[k] = curve[i] + t * (next(curve, i) - curve[i]);
+      }
+      way += step;
+    }
+    for(; k < size; ++k) // rounding
+      points_[k] = curve.front();
+  }
+
+  /// Whether the curve shrinks to a point.
+  bool shrinks()
+  {
+    constexpr int most_steps = 60; // half a dozen are usual
+    constexpr double slow = 0.98;  // of the length before
+    constexpr int patience = 3;    // it may have to slide around a corner first
+    const double point = CGAL_PI * resolution_; // a circle as wide as the resolution
+    double length = this->length();
+    for(int step = 0, stuck = 0; step < most_steps && stuck < patience; ++step) {
+      tighten();
+      const double before = length;
+      length = this->length();
+      if(length < point)
+        return true;
+      stuck = length > slow * before ? stuck + 1 : 0;
+    }
+    return length < 2 * point;
+  }
+
+private:
+  static constexpr std::size_t size = 32; // a hole is wider than a thirty-second of the way around
+
+  static double at(std::size_t k) { return static_cast<double>(k) / size; }
+
+  static const Vector3& next(const std::vector<Vector3>& curve, std::size_t i)
+  {
+    return curve[i + 1 < curve.size() ? i + 1 : 0];
+  }
+
+  double length() const
+  {
+    double result = (points_.front() - points_.back()).norm();
+    for(std::size_t k = 1; k < size; ++k)
+      result += (points_[k] - points_[k - 1]).norm();
+    return result;
+  }
+
+  /// Moves every point to the mean of as long a part of the curve around it as the solid lets it;
+  /// a point at a wall slides along it.
+  void tighten()
+  {
+    for(std::size_t i = 0; i < size; ++i) {
+      bool moved = false;
+      for(std::size_t reach = size / 4; reach >= 1 && !moved; reach /= 2)
+        moved = move(i, mean_around(i, reach));
+      if(!moved)
+        move(i, mean_around(i, 1) + resolution_ / 2 * away_from_air(points_[i]));
+    }
+  }
+
+  Vector3 mean_around(std::size_t i, std::size_t reach) const
+  {
+    Vector3 mean = Vector3::Zero();
+    for(std::size_t k = size - reach; k <= size + reach; ++k)
+      mean += points_[(i + k) % size] / static_cast<double>(2 * reach + 1);
+    return mean;
+  }
+
+  /// The direction in which the winding number grows.
+  Vector3 away_from_air(const Vector3& p) const
+  {
+    Vector3 gradient;
+    for(int k = 0; k < 3; ++k)
+      gradient[k] = winding_number_(p + resolution_ / 2 * Vector3::Unit(k)) -
+                    winding_number_(p - resolution_ / 2 * Vector3::Unit(k));
+    return gradient.normalized();
+  }
+
+  bool move(std::size_t i, const Vector3& to)
+  {
+    const bool can = is_solid_between(points_[i], to);
+    if(can)
+      points_[i] = to;
+    return can;
+  }
+
+  bool is_solid_between(const Vector3& from, const Vector3& to) const
+  {
+    constexpr double air = 0.4; // 0.5 in the middle of a hole of the data, more behind it
+    constexpr double most_places = 16;
+    const double places = 1 + std::min(most_places - 1, std::floor((to - from).norm() / resolution_));
+    for(double place = 1; place <= places; ++place)
+      if(winding_number_(from + place / places * (to - from)) < air)
+        return false;
+    return true;
+  }
+
+  double resolution_;
+  const Winding_number& winding_number_;
+  std::array<Vector3, size> points_;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_RUBBER_BAND_H
