@@ -114,15 +114,5 @@ void add_component(Skeleton& skeleton, const Mesh& mesh, const Positions& contra
 
 Method_result lapcon08_vc(const Method_input& input)
 {
-  Method_result result;
-  std::vector<Positions> contracted;
-  timed_stage(result, "contraction", [&] {
-    for(const Mesh& mesh : input.components)
-      contracted.push_back(methods::contract_mesh(mesh));
-  });
-  timed_stage(result, "clustering", [&] {
-    for(std::size_t i = 0; i < contracted.size(); ++i)
-      add_component(result.skeleton, input.components[i], contracted[i]);
-  });
-  return result;
+  return methods::contract_and_add(input, "clustering", add_component);
 }

@@ -61,4 +61,20 @@ Positions contract_mesh(const Mesh& mesh)
   return contract(positions_of(mesh), fans, {growth, maximum_steps, has_no_volume});
 }
 
+Method_result contract_and_add(const Method_input& input, const std::string& stage,
+                               Add_component add)
+{
+  Method_result result;
+  std::vector<Positions> contracted;
+  timed_stage(result, "contraction", [&] {
+    for(const Mesh& mesh : input.components)
+      contracted.push_back(contract_mesh(mesh));
+  });
+  timed_stage(result, stage, [&] {
+    for(std::size_t i = 0; i < contracted.size(); ++i)
+      add(result.skeleton, input.components[i], contracted[i]);
+  });
+  return result;
+}
+
 } // namespace methods

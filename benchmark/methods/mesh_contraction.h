@@ -7,6 +7,7 @@
 #include "Method.h"
 #include "laplacian_contraction.h"
 
+#include <string>
 #include <vector>
 
 namespace methods {
@@ -21,6 +22,13 @@ std::vector<Fan> fans_of(const Mesh& mesh);
 /// s_L = 2, until the volume is less than a millionth of what it was.
 /// \throw std::runtime_error if the first step fails
 Positions contract_mesh(const Mesh& mesh);
+
+/// Adds what becomes of a contracted component to a skeleton.
+using Add_component = void (*)(Skeleton& skeleton, const Mesh& mesh, const Positions& contracted);
+
+/// Contracts the components of the input, then adds all. \param stage the name of the latter
+Method_result contract_and_add(const Method_input& input, const std::string& stage,
+                               Add_component add);
 
 } // namespace methods
 
