@@ -5,9 +5,13 @@ function makeSummary() {
   const count = (status) => results.rows.filter((row) => row.status === status).length;
   const bad = Object.entries(STATUS).filter(([status]) => count(status) > 0)
     .map(([status, label]) => `${count(status)} ${label}`);
-  document.getElementById('summary').textContent =
-    `${variants.length} methods on ${inputs.length} shapes at ${noiseLevels.length} levels of `
-    + `noise: ${results.rows.length} rows, ${[`${count('ok')} ok`, ...bad].join(', ')}.`;
+  const number = (n, name) => `${n} ${name}${n === 1 ? '' : 's'}`;
+  const methods = unique(results.rows.map((row) => row.method)).length;
+  const decimated = variants.length - methods;
+  document.getElementById('summary').textContent = number(methods, 'method')
+    + (decimated > 0 ? `, ${decimated} of them also on decimated meshes,` : '')
+    + ` on ${number(inputs.length, 'shape')} at ${number(noiseLevels.length, 'level')} of noise: `
+    + `${number(results.rows.length, 'row')}, ${[`${count('ok')} ok`, ...bad].join(', ')}.`;
   document.getElementById('paper_source').textContent = paper.source;
 }
 
