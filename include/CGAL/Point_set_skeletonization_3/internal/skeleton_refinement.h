@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -42,9 +43,10 @@ inline Skeleton_graph resampled(const Skeleton_graph& graph, double step)
 {
   const auto adjacency = graph.adjacency();
   Skeleton_graph result;
-  std::vector<std::size_t> index(graph.vertices.size(), graph.vertices.size());
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> index(graph.vertices.size(), none);
   const auto node = [&](std::size_t v) {
-    if(index[v] == graph.vertices.size()) {
+    if(index[v] == none) {
       index[v] = result.vertices.size();
       result.vertices.push_back(graph.vertices[v]);
     }
