@@ -100,10 +100,10 @@ Task Compared_input::wrap_task(const Registered_method& method) const
 Task Compared_input::decimation_task(const Registered_method& method) const
 {
   return {method.name, "decimated mesh", [=] {
-            const std::size_t wanted = number_of_mixture_components(*cloud_);
             Method_result result;
-            const Method_input input = timed_stage(
-                result, "decimation", [&] { return input_of(decimate(components_, wanted)); });
+            const Method_input input = timed_stage(result, "decimation", [&] {
+              return input_of(decimate(components_, number_of_mixture_components(*cloud_)));
+            });
             return after(result, method.run(input));
           }};
 }
