@@ -32,7 +32,7 @@ struct Local_separator
   double length = 0;                             ///< Sum of the spacings of its patches.
 };
 
-/// The neighbours of every patch one after the other in memory, with their distances.
+/// Edges between neighbouring patches, those from one patch after the other in memory.
 class Patch_edges
 {
 public:
@@ -42,12 +42,20 @@ public:
     double length;
   };
 
+  /// All edges.
   explicit Patch_edges(const std::vector<Patch>& patches)
+      : Patch_edges(patches, [](std::size_t, std::size_t) { return true; })
+  {}
+
+  /// The edges with `has(from, to)`.
+  template <typename Predicate>
+  Patch_edges(const std::vector<Patch>& patches, const Predicate& has)
       : first_(1, 0)
   {
-    for(const Patch& patch : patches) {
-      for(std::size_t j : patch.neighbors)
-        edges_.push_back({j, (patch.mean - patches[j].mean).norm()});
+    for(std::size_t i = 0; i < patches.size(); ++i) {
+      for(std::size_t j : patches[i].neighbors)
+        if(has(i, j))
+          edges_.push_back({j, (patches[i].mean - patches[j].mean).norm()});
       first_.push_back(edges_.size());
     }
   }

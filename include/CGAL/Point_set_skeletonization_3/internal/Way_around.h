@@ -16,6 +16,7 @@
 #include <limits>
 #include <queue>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -32,10 +33,10 @@ public:
              const Limb_joints& joints, const Winding_number& winding_number)
       : patches_(patches)
       , samples_(samples)
-      , joints_(joints)
       , winding_number_(winding_number)
-      , state_(patches.size(), unseen)
-      , before_(patches.size())
+      , edges_(patches, [&](std::size_t i, std::size_t j) { return joints.are_joined(i, j); })
+      , place_(patches.size(), elsewhere)
+      , visits_(patches.size())
   {}
 
   /// Whether the separator cuts a limb.
@@ -43,65 +44,107 @@ public:
   {
     // What the points show as a hole is surrounded by more patches than that.
     constexpr std::size_t around_an_end = 4;
-    const std::vector<Vector3> loop = shortest(separator);
-    if(loop.empty())
+    mark(separator);
+    const std::vector<std::size_t> way = shortest(separator);
+    unmark(separator);
+    if(way.empty())
       return true;
-    return loop.size() > around_an_end &&
-           !Rubber_band(loop, patches_[separator.patches.front()].spacing, winding_number_).shrinks();
+    return way.size() > around_an_end &&
+           !Rubber_band(positions(way), patches_[separator.patches.front()].spacing,
+                        winding_number_)
+                .shrinks();
   }
 
 private:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  enum State : char { unseen, seen, on_separator, on_far_side };
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  enum Place : char { elsewhere, on_separator, on_first_side, on_second_side };
 
-  void mark(std::size_t i, State state)
+  /// The shortest way to a patch that is known so far.
+  struct Visit
   {
-    state_[i] = state;
-    marked_.push_back(i);
+    double way = infinity;
+    std::size_t before = none; ///< The patch before.
+    bool done = false;         ///< There is no shorter one.
+  };
+
+  void mark(const Local_separator& separator)
+  {
+    place(separator.patches, on_separator);
+    place(separator.sides[0], on_first_side);
+    place(separator.sides[1], on_second_side);
   }
 
-  /// The samples along the shortest way from one side to the other; none if there is no way.
-  std::vector<Vector3> shortest(const Local_separator& separator)
+  void unmark(const Local_separator& separator)
   {
-    using Step = std::tuple<double, std::size_t, std::size_t>; // way, patch, the one before
+    place(separator.patches, elsewhere);
+    for(const std::vector<std::size_t>& side : separator.sides)
+      place(side, elsewhere);
+  }
+
+  void place(const std::vector<std::size_t>& patches, Place where)
+  {
+    for(std::size_t i : patches)
+      place_[i] = where;
+  }
+
+  /// The patches along the shortest way from the second side to the first; none if there is no way.
+  std::vector<std::size_t> shortest(const Local_separator& separator)
+  {
+    using Step = std::pair<double, std::size_t>; // way, patch
     std::priority_queue<Step, std::vector<Step>, std::greater<Step>> queue;
-    for(std::size_t i : separator.patches)
-      mark(i, on_separator);
-    for(std::size_t i : separator.sides[1])
-      mark(i, on_far_side);
+    std::vector<std::size_t> visited;
+    const auto visit = [&](std::size_t i, double way, std::size_t before) {
+      Visit& known = visits_[i];
+      if(known.done || std::tie(way, before) >= std::tie(known.way, known.before))
+        return;
+      if(known.way == infinity)
+        visited.push_back(i);
+      known.way = way;
+      known.before = before;
+      queue.emplace(way, i);
+    };
     for(std::size_t i : separator.sides[0])
-      queue.emplace(0, i, none);
+      visit(i, 0, none);
     std::size_t last = none;
     while(!queue.empty() && last == none) {
       const Step step = queue.top();
+      const std::size_t i = step.second;
       queue.pop();
-      const std::size_t i = std::get<1>(step);
-      if(state_[i] == seen || state_[i] == on_separator)
+      if(visits_[i].done)
         continue;
-      before_[i] = std::get<2>(step);
-      if(state_[i] == on_far_side)
+      visits_[i].done = true;
+      if(place_[i] == on_second_side)
         last = i;
-      mark(i, seen);
-      for(std::size_t j : patches_[i].neighbors)
-        if(state_[j] != seen && joints_.are_joined(i, j))
-          queue.emplace(std::get<0>(step) + (patches_[i].mean - patches_[j].mean).norm(), j, i);
+      for(const auto& edge : edges_[i])
+        if(place_[edge.patch] != on_separator)
+          visit(edge.patch, step.first + edge.length, i);
     }
-    for(std::size_t i : marked_)
-      state_[i] = unseen;
-    marked_.clear();
-    std::vector<Vector3> way;
-    for(; last != none; last = before_[last])
-      way.push_back(samples_[last].position);
+    std::vector<std::size_t> way;
+    for(; last != none; last = visits_[last].before)
+      way.push_back(last);
+    for(std::size_t i : visited)
+      visits_[i] = Visit();
     return way;
+  }
+
+  /// The samples of patches.
+  std::vector<Vector3> positions(const std::vector<std::size_t>& patches) const
+  {
+    std::vector<Vector3> result;
+    for(std::size_t i : patches)
+      result.push_back(samples_[i].position);
+    return result;
   }
 
   const std::vector<Patch>& patches_;
   const std::vector<Sample>& samples_;
-  const Limb_joints& joints_;
   const Winding_number& winding_number_;
-  std::vector<State> state_; ///< `unseen` between calls.
-  std::vector<std::size_t> marked_;
-  std::vector<std::size_t> before_;
+  const Patch_edges edges_; ///< Along limbs.
+
+  // Of every patch; as at the beginning between calls.
+  std::vector<Place> place_;
+  std::vector<Visit> visits_;
 };
 
 } // namespace internal
