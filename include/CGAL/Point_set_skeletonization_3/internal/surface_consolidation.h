@@ -115,9 +115,9 @@ struct Consolidated_surface
 /// small windows rough, curvature and neighbouring sheets make large ones rough; so it is the first
 /// of a row of sizes whose roughness is small, or grows with the next size. What counts is the first
 /// quartile over the shape: noise is everywhere, and nearly every shape is smooth for a quarter.
-/// A component moves to the plane fitted in its window; where there is none, in a twig as thin as the
-/// noise, to the mean, as mean shift does (Comaniciu & Meer 2002). Without noise
-/// nothing moves.
+/// A component moves to the plane fitted in its window, or in a narrower one where that shows a limb
+/// all around; in a twig as thin as the noise to the mean, as mean shift does (Comaniciu & Meer
+/// 2002). Without noise nothing moves.
 template <typename ConcurrencyTag>
 class Surface_consolidation
 {
@@ -236,29 +236,55 @@ private:
     return size;
   }
 
+  using Windows = std::array<std::unique_ptr<Mixture_window>, sizes>;
+
+  /// How far a limb that a window shows all around is drowned in the noise, in [0, 1]. Its radius is
+  /// that of the noise where the thickness is 1.2 of that of the noise, twice that where it is 1.7.
+  double drowned(const Local_fit& fit) const
+  {
+    return std::min(1.0, std::max(0.0, 2 * (1.65 - fit.thickness / noise_)));
+  }
+
+  /// What a component sees through its window. Where that shows a limb all around, narrower ones are
+  /// tried, as long as they show something flatter.
+  Local_fit fit_through(const Windows& windows, std::size_t size, const Vector3& position) const
+  {
+    constexpr double round = 0.2; // roughness
+    Local_fit fit = (*windows[size])(position);
+    while(size-- > 0 && fit.roughness > round && drowned(fit) < 0.5) {
+      const Local_fit narrower = (*windows[size])(position);
+      if(narrower.roughness > fit.roughness)
+        break;
+      const double density = fit.density; // of windows of one size only, they are compared
+      fit = narrower;
+      fit.density = density;
+    }
+    return fit;
+  }
+
   void move()
   {
     std::vector<std::size_t> size(mixture_.size());
-    std::array<std::unique_ptr<Mixture_window>, sizes> views;
+    std::size_t largest = 0;
     for(std::size_t i = 0; i < mixture_.size(); ++i) {
       size[i] = size_for(i);
-      if(!result_.outlier[i] && !views[size[i]])
-        views[size[i]] = std::make_unique<Mixture_window>(window(size[i]));
+      if(!result_.outlier[i])
+        largest = std::max(largest, size[i]);
     }
+    Windows windows;
+    for(std::size_t k = 0; k <= largest; ++k)
+      windows[k] = std::make_unique<Mixture_window>(window(k));
     density_.assign(mixture_.size(), 0);
     parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
       if(result_.outlier[i])
         return;
-      Vector3& position = result_.positions[i]; // the views keep the ones before
-      const Local_fit fit = (*views[size[i]])(position);
+      Vector3& position = result_.positions[i]; // the windows keep the ones before
+      const Local_fit fit = fit_through(windows, size[i], position);
       density_[i] = fit.density;
       const double blob = std::min(1.0, std::max(0.0, (fit.roughness - 0.1) / 0.2));
-      // A blob is a limb narrower than the window. If it is hardly thicker than the noise - the radius
-      // of a twig is that of the noise where this is 1.2, its double where it is 1.7 - it has drowned.
-      const double drowned = std::min(1.0, std::max(0.0, 2 * (1.65 - fit.thickness / noise_)));
       const Vector3 step = fit.mean - position;
-      position +=
-        strength_ * ((1 - blob) * fit.normal.dot(step) * fit.normal + blob * drowned * step);
+      position += strength_ * ((1 - blob) * fit.normal.dot(step) * fit.normal +
+                               blob * drowned(fit) * step);
     });
   }
 
