@@ -11,9 +11,11 @@
 #include <CGAL/Point_set_skeletonization_3/internal/samples.h>
 #include <CGAL/Point_set_skeletonization_3/internal/winding_number.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <map>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -42,23 +44,79 @@ public:
   /// Whether the separator cuts a limb.
   bool cuts(const Local_separator& separator)
   {
-    // What the points show as a hole is surrounded by more patches than that.
-    constexpr std::size_t around_an_end = 4;
     mark(separator);
-    const std::vector<std::size_t> way = shortest(separator);
+    // A loop that shrinks to a point inside the shape crosses no cross-section once.
+    const bool result = std::none_of(shrinking_.begin(), shrinking_.end(),
+                                     [&](const Loop& loop) { return crossings(loop) != 0; }) &&
+                        !has_way_around(separator);
     unmark(separator);
-    if(way.empty())
-      return true;
-    return way.size() > around_an_end &&
-           !Rubber_band(positions(way), patches_[separator.patches.front()].spacing,
-                        winding_number_)
-                .shrinks();
+    return result;
   }
 
 private:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   enum Place : char { elsewhere, on_separator, on_first_side, on_second_side };
+  using Loop = std::vector<std::size_t>; // neighbouring patches, the last next to the first
+
+  bool has_way_around(const Local_separator& separator)
+  {
+    // What the points show as a hole is surrounded by more patches than that.
+    constexpr std::size_t around_an_end = 4;
+    const std::vector<std::size_t> way = shortest(separator);
+    if(way.size() <= around_an_end)
+      return !way.empty();
+    const double resolution = patches_[separator.patches.front()].spacing;
+    if(!Rubber_band(positions(way), resolution, winding_number_).shrinks())
+      return false;
+    shrinking_.push_back(closed(way));
+    return true;
+  }
+
+  /// How often a loop crosses the separator from the first side to the second, less how often it
+  /// comes back; 0 if that is not known.
+  int crossings(const Loop& loop) const
+  {
+    const auto last = std::find_if(loop.rbegin(), loop.rend(),
+                                   [&](std::size_t i) { return place_[i] != on_separator; });
+    if(last == loop.rend())
+      return 0;
+    Place before = place_[*last];
+    bool crossing = last != loop.rbegin();
+    int result = 0;
+    for(std::size_t i : loop) {
+      const Place place = place_[i];
+      if(place == on_separator) {
+        crossing = true;
+        continue;
+      }
+      if(before != elsewhere && place != elsewhere)
+        result += place - before;
+      else if(crossing)
+        return 0;
+      before = place;
+      crossing = false;
+    }
+    return result;
+  }
+
+  /// A way from one side to the other, closed across the separator; none if that is in pieces.
+  Loop closed(Loop way) const
+  {
+    std::map<std::size_t, std::size_t> before;
+    std::queue<std::size_t> queue({way.front()});
+    for(; !queue.empty(); queue.pop()) {
+      std::size_t i = queue.front();
+      for(std::size_t j : patches_[i].neighbors)
+        if(j == way.back()) {
+          for(; i != way.front(); i = before[i])
+            way.push_back(i);
+          return way;
+        } else if(place_[j] == on_separator && before.emplace(j, i).second)
+          queue.push(j);
+    }
+    return {};
+  }
 
   /// The shortest way to a patch that is known so far.
   struct Visit
@@ -140,7 +198,8 @@ private:
   const std::vector<Patch>& patches_;
   const std::vector<Sample>& samples_;
   const Winding_number& winding_number_;
-  const Patch_edges edges_; ///< Along limbs.
+  const Patch_edges edges_;     ///< Along limbs.
+  std::vector<Loop> shrinking_; ///< Found so far.
 
   // Of every patch; as at the beginning between calls.
   std::vector<Place> place_;
