@@ -26,6 +26,7 @@ struct Options
   std::vector<std::string> outputs;
   std::string points;
   bool as_published = false;
+  bool single_component = false;
   bool stream = false;
   std::vector<double> box; ///< smallest x, y, z, then largest; empty: read the file twice
   std::size_t sample = 0;  ///< 0: take the vertices
@@ -114,6 +115,8 @@ inline Parsed parse_options(int argc, char** argv)
       ->allow_extra_args(false);
   app.add_option("--points", options.points,
                  "also write the points it was computed from, .xyz; for --sample");
+  app.add_flag("--single-component", options.single_component,
+               "join all parts, for a shape known to be in one piece");
   app.add_flag("--as-published", options.as_published, "the published method, for comparison");
   app.add_option("--sample", options.sample, "draw N points from the surface of a mesh instead")
       ->type_name("N")

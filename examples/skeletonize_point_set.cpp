@@ -82,7 +82,10 @@ Result skeletonize(const Points& points, const Options& options, Progress_bar& b
   CGAL::L1_medial_skeletonization_3<Kernel, ConcurrencyTag> algorithm(
       points,
       CGAL::parameters::as_published(
-          options.as_published, CGAL::parameters::callback(progress).random_seed(options.seed)));
+          options.as_published,
+          CGAL::parameters::single_component(
+              options.single_component,
+              CGAL::parameters::callback(progress).random_seed(options.seed))));
   Result result;
   result.mixture_seconds = seconds_of([&] { return algorithm.fit_mixture(); });
   result.projection_seconds = seconds_of([&] { return algorithm.project(); });

@@ -28,6 +28,8 @@ refuses "no faces" cloud.xyz --sample 100
 
 accepts cloud.xyz
 check "a summary" one_line out "points 600" "components"
+accepts cloud.xyz --single-component
+check "a single component" one_line out "components 1"
 accepts cloud.xyz --quiet
 check "quiet" test ! -s out
 

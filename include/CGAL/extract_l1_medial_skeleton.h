@@ -36,6 +36,10 @@ namespace CGAL {
 ///     \cgalParamNBegin{as_published} \cgalParamDescription{the method as published, for comparison:
 ///       `as_published(true, rest)`, see `CGAL/Point_set_skeletonization_3/parameters.h`}
 ///       \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
+///     \cgalParamNBegin{single_component} \cgalParamDescription{join all parts by the shortest bridges,
+///       not only those between which a gap in the data is plausible: for a shape known to be in one
+///       piece. `single_component(true, rest)`; the published method always does}
+///       \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
 ///     \cgalParamNBegin{random_seed} \cgalParamDescription{of the published method; the default
 ///       method draws nothing at random} \cgalParamType{`unsigned int`} \cgalParamDefault{0}
 ///       \cgalParamNEnd
@@ -57,7 +61,8 @@ bool extract_l1_medial_skeleton(const PointRange& points, Skeleton& skeleton,
 }
 
 /// The same of points that were streamed. The skeleton names no input points: all `indices` are
-/// empty. Named parameters are `callback` and `number_of_iterations`.
+/// empty. Named parameters are `callback`, `number_of_iterations` and
+/// `single_component`.
 template <typename ConcurrencyTag = Sequential_tag, typename Traits, typename Skeleton,
           typename NamedParameters = parameters::Default_named_parameters>
 bool extract_l1_medial_skeleton(const Gaussian_mixture_builder_3<Traits>& points,

@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Skeletonization_stages.h>
+#include <CGAL/Point_set_skeletonization_3/internal/bridging.h>
 #include <CGAL/Point_set_skeletonization_3/internal/grid_moments.h>
 #include <CGAL/Point_set_skeletonization_3/internal/local_separators.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial_balls.h>
@@ -82,16 +83,22 @@ Projection_outcome project_patches(const Oriented_surface<ConcurrencyTag>& surfa
   return outcome;
 }
 
+struct Surface_quotient_options
+{
+  Projection_options projection;
+  bool single_component = false;
+};
+
 /// The default: patches of a grid, orientation, medial balls and gated projection, surface quotient.
 template <typename ConcurrencyTag>
 class Surface_quotient_stages : public Skeletonization_stages
 {
 public:
-  explicit Surface_quotient_stages(const Projection_options& options) : projection_(options) {}
+  explicit Surface_quotient_stages(const Surface_quotient_options& options) : options_(options) {}
 
   /// For points that were streamed: all that is left of them are their moments.
-  Surface_quotient_stages(const Projection_options& options, Fine_cells streamed)
-    : projection_(options), streamed_(std::move(streamed))
+  Surface_quotient_stages(const Surface_quotient_options& options, Fine_cells streamed)
+    : options_(options), streamed_(std::move(streamed))
   {}
 
   bool fit(const std::vector<Vector3>& points, const Progress& progress) override
@@ -117,7 +124,7 @@ public:
     surface_ = std::make_unique<Oriented_surface<ConcurrencyTag>>(clean);
     if(!progress(0.6))
       return false;
-    outcome = project_patches<ConcurrencyTag>(*surface_, projection_, progress.part(0.6, 1), samples);
+    outcome = project_patches<ConcurrencyTag>(*surface_, options_.projection, progress.part(0.6, 1), samples);
     return outcome.reason != Projection_stop_reason::cancelled;
   }
 
@@ -152,6 +159,7 @@ public:
     smooth(graph);
     graph = resampled(graph, surface_->spacing);
     measure_radii();
+    bridge();
     if(!progress(0.8))
       return false;
     extend_ends(graph, surface_points(assigned_vertices(outlier)));
@@ -193,6 +201,15 @@ private:
       patches.push_back(moments.gaussian());
     }
     return patches;
+  }
+
+  void bridge()
+  {
+    Bridging bridging(graph, surface_->spacing);
+    bridging.bridge_gaps();
+    if(options_.single_component)
+      bridging.join_all();
+    graph = resampled(graph, surface_->spacing);
   }
 
   /// The radius of every vertex: how far the surface is that it sees.
@@ -257,7 +274,7 @@ private:
     });
   }
 
-  Projection_options projection_;
+  Surface_quotient_options options_;
   std::optional<Fine_cells> streamed_;
   std::vector<Grid_level> levels_;
   const std::vector<Vector3>* points_ = nullptr;

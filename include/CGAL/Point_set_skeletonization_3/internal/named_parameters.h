@@ -70,12 +70,14 @@ Published_projection_options published_projection_options(const NamedParameters&
 
 /// The options of the default method.
 template <typename NamedParameters>
-Projection_options default_method_options(const NamedParameters& np)
+Surface_quotient_options default_method_options(const NamedParameters& np)
 {
   // The centre of its medial ball is where a sample belongs. A step to the L1-median of what a
   // kernel shows draws it to the inside of a bend, and the linking takes the median of a whole
   // cross-section anyway: so there are none unless asked for.
-  return projection_options(np, 0);
+  return {projection_options(np, 0),
+          parameters::choose_parameter(
+            parameters::get_parameter(np, internal_np::single_component), false)};
 }
 
 template <typename NamedParameters>

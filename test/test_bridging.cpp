@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+// A limb goes on behind a gap in the data; two limbs side by side are not joined unless asked for.
+
+#include "catch2.h"
+#include "graph_counts.h"
+#include "shapes.h"
+
+#include <CGAL/extract_l1_medial_skeleton.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using shapes::Vector;
+
+constexpr unsigned int seeds[] = {1, 2, 3};
+
+Graph_counts counts_of(const std::vector<Vector>& points, bool single_component = false)
+{
+  CGAL::Curve_skeleton_3<Kernel> skeleton;
+  REQUIRE(CGAL::extract_l1_medial_skeleton(
+      shapes::to_points<Kernel>(points), skeleton,
+      CGAL::parameters::single_component(single_component)));
+  return count_graph(skeleton);
+}
+
+// Points of a shape without those whose x is within `half_width` of 0.
+std::vector<Vector> with_gap(const shapes::Shape& shape, double half_width, unsigned int seed)
+{
+  std::vector<Vector> points = shapes::sample(shape, 10000, seed);
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [&](const Vector& p) { return std::abs(p.x()) < half_width; }),
+               points.end());
+  return points;
+}
+
+} // namespace
+
+TEST_CASE("A limb goes on behind a gap as long as it is thick")
+{
+  for(const unsigned int seed : seeds) {
+    CAPTURE(seed);
+    const Graph_counts counts = counts_of(with_gap(shapes::cylinder(), 0.1, seed));
+    CHECK(counts.components == 1);
+    CHECK(counts.cycles == 0);
+    CHECK(counts.ends == 2);
+  }
+}
+
+TEST_CASE("A bridge makes no loop: a ring with a gap in it stays open")
+{
+  for(const unsigned int seed : seeds) {
+    CAPTURE(seed);
+    std::vector<Vector> points = shapes::sample(shapes::ring(), 10000, seed);
+    points.erase(std::remove_if(points.begin(), points.end(),
+                                [](const Vector& p) { return std::abs(p.x()) < 0.15 && p.y() > 0; }),
+                 points.end());
+    const Graph_counts counts = counts_of(points);
+    CHECK(counts.components == 1);
+    CHECK(counts.cycles == 0);
+    CHECK(counts.ends == 2);
+  }
+}
+
+TEST_CASE("A gap many times as long as the limb is thick is one between two parts")
+{
+  for(const unsigned int seed : seeds) {
+    CAPTURE(seed);
+    CHECK(counts_of(with_gap(shapes::cylinder(0.03), 0.2, seed)).components == 2);
+  }
+}
+
+TEST_CASE("Parts side by side are joined only if a single component is asked for")
+{
+  for(const unsigned int seed : seeds) {
+    CAPTURE(seed);
+    const std::vector<Vector> points = shapes::sample(shapes::two_parts(), 10000, seed);
+    CHECK(counts_of(points).components == 2);
+    const Graph_counts single = counts_of(points, true);
+    CHECK(single.components == 1);
+    CHECK(single.cycles == 0);
+  }
+}
+
+TEST_CASE("A single component of many parts has the cycles of the parts")
+{
+  // Rings in a row, far apart.
+  shapes::Shape shape;
+  for(int k = 0; k < 3; ++k)
+    for(shapes::Capsule c : shapes::ring()) {
+      c.a.z() += 1.5 * k;
+      c.b.z() += 1.5 * k;
+      shape.push_back(c);
+    }
+  const std::vector<Vector> points = shapes::sample(shape, 20000, seeds[0]);
+  CHECK(counts_of(points).components == 3);
+  const Graph_counts single = counts_of(points, true);
+  CHECK(single.components == 1);
+  CHECK(single.cycles == 3);
+}
