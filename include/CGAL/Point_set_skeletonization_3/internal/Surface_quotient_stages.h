@@ -132,39 +132,16 @@ public:
   {
     if(samples.empty())
       return progress(1);
-    const std::vector<Patch>& patches = surface_->patches;
     // In clean data the ball of a patch is unknown where limbs touch; noise hides it in any thin limb.
-    const Limb_joints joints(patches, samples, noise_);
-    const std::vector<Local_separator> separators =
-      disjoint_separators<ConcurrencyTag>(patches, samples, joints, *surface_->winding_number);
+    const Limb_joints joints(surface_->patches, samples, noise_);
+    const std::vector<Local_separator> separators = disjoint_separators<ConcurrencyTag>(
+      surface_->patches, samples, joints, *surface_->winding_number);
     if(!progress(0.6))
       return false;
-    const Surface_quotient quotient = surface_quotient(patches, samples, joints, separators);
-    graph = quotient.graph;
-    const auto patches_of = patches_of_vertices(quotient.vertex_of_patch, graph.vertices.size());
-    const std::vector<bool> stray = stray_vertices(graph, weights(patches_of));
-    std::vector<bool> removed =
-      Spur_pruning(graph, separators.size(), surface_->patches, patches_of).spurs();
-    for(std::size_t v = 0; v < removed.size(); ++v)
-      removed[v] = removed[v] || stray[v];
-    mark_caps(graph, separators.size(), removed);
-    graph = without(graph, removed);
-    std::vector<bool> outlier(samples.size());
-    for(std::size_t i = 0; i < samples.size(); ++i)
-      outlier[i] = stray[quotient.vertex_of_patch[i]];
-
+    const std::vector<bool> outlier = connect(joints, separators);
     if(!progress(0.7))
       return false;
-
-    smooth(graph);
-    graph = resampled(graph, surface_->spacing);
-    measure_radii();
-    bridge();
-    if(!progress(0.8))
-      return false;
-    extend_ends(graph, surface_points(assigned_vertices(outlier)));
-    smooth(graph);
-    measure_radii();
+    refine(outlier);
     if(!progress(0.9))
       return false;
     assign_points(assigned_vertices(outlier));
@@ -201,6 +178,39 @@ private:
       patches.push_back(moments.gaussian());
     }
     return patches;
+  }
+
+  /// The graph: the surface quotient without spurs and outliers. Returns which patches are outliers.
+  std::vector<bool> connect(const Limb_joints& joints,
+                            const std::vector<Local_separator>& separators)
+  {
+    const Surface_quotient quotient =
+      surface_quotient(surface_->patches, samples, joints, separators);
+    graph = quotient.graph;
+    const auto patches_of = patches_of_vertices(quotient.vertex_of_patch, graph.vertices.size());
+    const std::vector<bool> stray = stray_vertices(graph, weights(patches_of));
+    std::vector<bool> removed =
+      Spur_pruning(graph, separators.size(), surface_->patches, patches_of).spurs();
+    for(std::size_t v = 0; v < removed.size(); ++v)
+      removed[v] = removed[v] || stray[v];
+    mark_caps(graph, separators.size(), removed);
+    graph = without(graph, removed);
+    std::vector<bool> outlier(samples.size());
+    for(std::size_t i = 0; i < samples.size(); ++i)
+      outlier[i] = stray[quotient.vertex_of_patch[i]];
+    return outlier;
+  }
+
+  /// Evens the graph out, bridges gaps and leads the ends to the tips.
+  void refine(const std::vector<bool>& outlier)
+  {
+    smooth(graph);
+    graph = resampled(graph, surface_->spacing);
+    measure_radii();
+    bridge();
+    extend_ends(graph, surface_points(assigned_vertices(outlier)));
+    smooth(graph);
+    measure_radii();
   }
 
   void bridge()
