@@ -79,24 +79,26 @@ Result skeletonize(const Points& points, const Options& options, Progress_bar& b
     bar.show(fraction);
     return interrupted == 0;
   };
-  CGAL::L1_medial_skeletonization_3<Kernel, ConcurrencyTag> algorithm(
-      points,
-      CGAL::parameters::as_published(
-          options.as_published,
-          CGAL::parameters::single_component(
-              options.single_component,
-              CGAL::parameters::callback(progress).random_seed(options.seed))));
+  const auto parameters = CGAL::parameters::as_published(
+      options.as_published,
+      CGAL::parameters::single_component(
+          options.single_component,
+          CGAL::parameters::callback(progress).random_seed(options.seed)));
+  std::optional<CGAL::L1_medial_skeletonization_3<Kernel, ConcurrencyTag>> algorithm;
   Result result;
-  result.mixture_seconds = seconds_of([&] { return algorithm.fit_mixture(); });
-  result.projection_seconds = seconds_of([&] { return algorithm.project(); });
-  result.linking_seconds = seconds_of([&] { return algorithm.link(); });
-  algorithm.extract_skeleton(result.skeleton);
-  const auto& levels = algorithm.mixture().levels;
+  result.mixture_seconds = seconds_of([&] {
+    algorithm.emplace(points, parameters);
+    return algorithm->fit_mixture();
+  });
+  result.projection_seconds = seconds_of([&] { return algorithm->project(); });
+  result.linking_seconds = seconds_of([&] { return algorithm->link(); });
+  algorithm->extract_skeleton(result.skeleton);
+  const auto levels = algorithm->mixture().levels;
   if(!levels.empty()) // the published method projects onto what is left after merging
     result.mixture = options.as_published ? levels.back().size() : levels.front().size();
-  result.samples = algorithm.samples().size();
-  result.iterations = algorithm.number_of_iterations();
-  result.stop_reason = CGAL::to_string(algorithm.stop_reason());
+  result.samples = algorithm->samples().size();
+  result.iterations = algorithm->number_of_iterations();
+  result.stop_reason = CGAL::to_string(algorithm->stop_reason());
   return result;
 }
 

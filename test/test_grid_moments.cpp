@@ -40,10 +40,28 @@ Points cloud(std::size_t size, unsigned int seed)
   return points;
 }
 
+// Points that are normalised already.
+class Normalized_blocks : public Point_blocks
+{
+public:
+  explicit Normalized_blocks(const Points& points) : points_(points) {}
+
+  std::size_t size() const override { return points_.size(); }
+
+  Points block(std::size_t b) const override
+  {
+    const auto begin = points_.begin() + static_cast<std::ptrdiff_t>(b * block_size);
+    return Points(begin, begin + std::min<std::ptrdiff_t>(block_size, points_.end() - begin));
+  }
+
+private:
+  const Points& points_;
+};
+
 template <typename ConcurrencyTag = Sequential_tag>
 Levels levels_of(const Points& points, const Grid_options& options = Grid_options())
 {
-  return grid_moments<ConcurrencyTag>(points, options, number_of_levels);
+  return grid_moments<ConcurrencyTag>(Normalized_blocks(points), options, number_of_levels);
 }
 
 Gaussian total(const Gaussians& mixture)

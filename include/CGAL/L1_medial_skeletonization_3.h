@@ -8,6 +8,7 @@
 #include <CGAL/Gaussian_mixture_3.h>
 #include <CGAL/Gaussian_mixture_builder_3.h>
 #include <CGAL/Medial_sample_3.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Point_blocks.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Published_stages.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Surface_quotient_stages.h>
 #include <CGAL/Point_set_skeletonization_3/internal/named_parameters.h>
@@ -15,6 +16,7 @@
 #include <CGAL/Point_set_skeletonization_3/parameters.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
@@ -25,9 +27,10 @@ namespace CGAL {
 
 /// The curve skeleton of a point set, step by step.
 ///
-/// Owns a copy of the points (in normalised coordinates) and every intermediate result, so that each
-/// can be read. `run()` does all steps; or call `fit_mixture()`, `project()` and `link()` in this
-/// order and look at what they leave.
+/// Reads the points once and for all when it is constructed, and keeps of each no more than its
+/// place in the mixture, two bytes; as published, a copy. Owns every intermediate result, so that
+/// each can be read. `run()` does all steps; or call `fit_mixture()`, `project()` and `link()` in
+/// this order and look at what they leave.
 ///
 /// The default takes noise and outliers off, reads what is left as the oriented patches of a
 /// surface, puts a sample in the medial ball of every patch, and cuts the surface along local
@@ -60,11 +63,11 @@ public:
     : progress_(Point_set_skeletonization_3::internal::progress_of(np))
   {
     namespace internal = Point_set_skeletonization_3::internal;
-    points_ = internal::coordinates_of(points, np);
-    normalization_ = internal::normalization_of(points_);
-    for(auto& p : points_)
-      p = normalization_.to_unit(p);
+    using Helper = Point_set_processing_3_np_helper<PointRange, NamedParameters>;
+    const internal::Range_blocks blocks(points, Helper::get_const_point_map(points, np));
+    normalization_ = blocks.normalization();
     stages_ = internal::make_stages<ConcurrencyTag>(np);
+    stages_->read(blocks);
   }
 
   /// Reads points that were streamed. The skeleton then names no input points: all `indices` are
@@ -82,7 +85,7 @@ public:
       internal::default_method_options(np), internal::Fine_cells(points.moments_.grid()));
   }
 
-  // The stages refer to the points.
+  // The stages are not copied.
   L1_medial_skeletonization_3(const L1_medial_skeletonization_3&) = delete;
   L1_medial_skeletonization_3& operator=(const L1_medial_skeletonization_3&) = delete;
 
@@ -90,7 +93,7 @@ public:
   bool fit_mixture()
   {
     steps_done_ = 0;
-    if(!progress_(0) || !stages_->fit(points_, progress_.part(0, 0.2)))
+    if(!progress_(0) || !stages_->fit(progress_.part(0, 0.2)))
       return false;
     steps_done_ = 1;
     return true;
@@ -166,11 +169,10 @@ public:
   {
     CGAL_precondition(steps_done_ == 3);
     skeleton = Point_set_skeletonization_3::internal::public_skeleton<Traits, SkeletonGraph>(
-      stages_->graph, stages_->vertex_of_point, normalization_);
+      *stages_, normalization_);
   }
 
 private:
-  std::vector<Point_set_skeletonization_3::internal::Vector3> points_;
   Normalization normalization_;
   Point_set_skeletonization_3::internal::Progress progress_;
   std::unique_ptr<Stages> stages_;

@@ -12,7 +12,7 @@ namespace CGAL {
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` (default), `Parallel_tag` (needs TBB) or
 ///         `Parallel_if_available_tag`; the result is the same, bit for bit
-/// \tparam PointRange a model of `ConstRange`; it is read once and never changed
+/// \tparam PointRange a model of `ConstRange`; it is never changed, nor copied by default
 /// \tparam Skeleton `Curve_skeleton_3<Traits>`, or a BGL adjacency list whose vertex bundle has
 ///         `.point`, `.radius` and `.indices`
 /// \tparam NamedParameters a sequence of named parameters

@@ -88,21 +88,43 @@ private:
   double diagonal_ = 1;
 };
 
+/// The bounding box of points that come one after the other.
+class Extent
+{
+public:
+  /// \throws std::invalid_argument that names the point if a coordinate is not finite
+  void add(const Vector3& p)
+  {
+    if(!p.allFinite())
+      throw std::invalid_argument("point " + std::to_string(size_) +
+                                  " has a coordinate that is not finite; remove or repair it");
+    lower_ = size_ == 0 ? p : lower_.cwiseMin(p);
+    upper_ = size_ == 0 ? p : upper_.cwiseMax(p);
+    ++size_;
+  }
+
+  /// Number of points.
+  std::size_t size() const { return size_; }
+
+  /// The similarity that normalises the points.
+  Normalization normalization() const
+  {
+    return size_ == 0 ? Normalization() : Normalization(lower_, upper_);
+  }
+
+private:
+  std::size_t size_ = 0;
+  Vector3 lower_ = Vector3::Zero(), upper_ = Vector3::Zero();
+};
+
 /// The similarity that normalises `points`.
 /// \throws std::invalid_argument that names the first point with a coordinate that is not finite
 inline Normalization normalization_of(const std::vector<Vector3>& points)
 {
-  if(points.empty())
-    return Normalization();
-  Vector3 lower = points.front(), upper = points.front();
-  for(std::size_t i = 0; i < points.size(); ++i) {
-    if(!points[i].allFinite())
-      throw std::invalid_argument("point " + std::to_string(i) +
-                                  " has a coordinate that is not finite; remove or repair it");
-    lower = lower.cwiseMin(points[i]);
-    upper = upper.cwiseMax(points[i]);
-  }
-  return Normalization(lower, upper);
+  Extent extent;
+  for(const Vector3& p : points)
+    extent.add(p);
+  return extent.normalization();
 }
 
 } // namespace internal

@@ -44,15 +44,23 @@ public:
     em_.random_seed = random_seed;
   }
 
-  bool fit(const std::vector<Vector3>& points, const Progress& progress) override
+  void read(const Point_blocks& points) override
   {
-    points_ = &points;
-    if(points.empty())
+    for(std::size_t b = 0; b < points.number_of_blocks(); ++b) {
+      const std::vector<Vector3> block = points.block(b);
+      points_.insert(points_.end(), block.begin(), block.end());
+    }
+  }
+
+  bool fit(const Progress& progress) override
+  {
+    if(points_.empty())
       return progress(1);
-    Gaussians start = nearest_neighbor_gaussians<ConcurrencyTag>(points, Nearest_neighbor_options());
-    const double h = initial_kernel_radius(points.size());
+    Gaussians start =
+      nearest_neighbor_gaussians<ConcurrencyTag>(points_, Nearest_neighbor_options());
+    const double h = initial_kernel_radius(points_.size());
     const std::vector<double> density =
-      densities<ConcurrencyTag>(points, [&](std::size_t) { return h; });
+      densities<ConcurrencyTag>(points_, [&](std::size_t) { return h; });
     for(std::size_t i = 0; i < start.size(); ++i)
       start[i].weight /= density[i]; // Eq. 7: alpha_j / v_j
     if(!progress(0.5))
@@ -100,19 +108,23 @@ public:
 
   const Gaussians& components() const override { return mixture.back(); }
 
+  std::size_t number_of_points() const override { return points_.size(); }
+
+  std::size_t vertex_of_point(std::size_t p) const override { return vertex_of_point_[p]; }
+
 private:
   /// A seeded choice by the position of a point, not by its index: independent of the order.
   std::vector<Sample> drawn_samples() const
   {
     std::vector<std::pair<std::uint64_t, std::size_t>> order;
-    for(std::size_t i = 0; i < points_->size(); ++i)
-      order.emplace_back(position_hash((*points_)[i], em_.random_seed), i);
+    for(std::size_t i = 0; i < points_.size(); ++i)
+      order.emplace_back(position_hash(points_[i], em_.random_seed), i);
     std::sort(order.begin(), order.end());
     order.resize(published_number_of_samples(order.size()));
     std::vector<Sample> drawn(order.size());
     for(std::size_t k = 0; k < drawn.size(); ++k) {
-      drawn[k].origin = drawn[k].position = (*points_)[order[k].second];
-      drawn[k].kernel_radius = initial_kernel_radius(points_->size());
+      drawn[k].origin = drawn[k].position = points_[order[k].second];
+      drawn[k].kernel_radius = initial_kernel_radius(points_.size());
     }
     return drawn;
   }
@@ -129,15 +141,16 @@ private:
       graph.vertices[v].radius += (samples[i].radius - graph.vertices[v].radius) / ++count[v];
     }
     const Neighbor_search origins(samples.size(), [&](std::size_t i) { return samples[i].origin; });
-    vertex_of_point.resize(points_->size());
-    parallel_for<ConcurrencyTag>(points_->size(), [&](std::size_t p) {
-      vertex_of_point[p] = vertex_of_sample[origins.nearest((*points_)[p]).index];
+    vertex_of_point_.resize(points_.size());
+    parallel_for<ConcurrencyTag>(points_.size(), [&](std::size_t p) {
+      vertex_of_point_[p] = vertex_of_sample[origins.nearest(points_[p]).index];
     });
   }
 
   Hierarchical_em_options em_;
   Published_projection_options projection_;
-  const std::vector<Vector3>* points_ = nullptr;
+  std::vector<Vector3> points_;
+  std::vector<std::size_t> vertex_of_point_;
 };
 
 } // namespace internal

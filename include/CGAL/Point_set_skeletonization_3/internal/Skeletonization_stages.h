@@ -5,6 +5,7 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SKELETONIZATION_STAGES_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Point_blocks.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/samples.h>
@@ -26,19 +27,26 @@ public:
 
   virtual ~Skeletonization_stages() = default;
 
-  /// `points` in normalised coordinates; kept by reference until the last stage is done.
-  virtual bool fit(const std::vector<Vector3>& points, const Progress& progress) = 0;
+  /// Takes from the points what it needs of them; before all stages.
+  virtual void read(const Point_blocks& points) = 0;
+
+  virtual bool fit(const Progress& progress) = 0;
   virtual bool project(const Progress& progress) = 0;
   virtual bool link(const Progress& progress) = 0;
 
   /// The level of the mixture that the projection reads. \pre `mixture` is not empty
   virtual const Gaussians& components() const = 0;
 
+  /// Number of points that it can tell the vertex of: none that were streamed.
+  virtual std::size_t number_of_points() const = 0;
+
+  /// The vertex of the `p`-th point; `none`: an outlier. \pre the last stage is done
+  virtual std::size_t vertex_of_point(std::size_t p) const = 0;
+
   std::vector<Gaussians> mixture; ///< Finest level first.
   std::vector<Sample> samples;
   Projection_outcome outcome;
   Skeleton_graph graph;
-  std::vector<std::size_t> vertex_of_point; ///< `none`: an outlier. Empty of streamed points.
   std::size_t number_of_outliers = 0;
 };
 

@@ -23,8 +23,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/winding_number.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -97,17 +97,24 @@ public:
   explicit Surface_quotient_stages(const Surface_quotient_options& options) : options_(options) {}
 
   /// For points that were streamed: all that is left of them are their moments.
-  Surface_quotient_stages(const Surface_quotient_options& options, Fine_cells streamed)
-    : options_(options), streamed_(std::move(streamed))
+  Surface_quotient_stages(const Surface_quotient_options& options, const Fine_cells& streamed)
+    : options_(options), levels_(grid_levels(streamed, Grid_options(), number_of_levels))
   {}
 
-  bool fit(const std::vector<Vector3>& points, const Progress& progress) override
+  void read(const Point_blocks& points) override
   {
-    constexpr std::size_t number_of_levels = 3; // for who reads the mixture; we read the first
-    const Grid_options options;
-    levels_ = streamed_ ? grid_levels(*streamed_, options, number_of_levels)
-                        : grid_moments<ConcurrencyTag>(points, options, number_of_levels);
-    points_ = &points;
+    levels_ = grid_moments<ConcurrencyTag>(points, Grid_options(), number_of_levels);
+    component_of_point_.resize(points.size());
+    parallel_for<ConcurrencyTag>(points.number_of_blocks(), [&](std::size_t b) {
+      std::size_t p = b * Point_blocks::block_size;
+      for(const Vector3& position : points.block(b))
+        component_of_point_[p++] =
+          static_cast<std::uint16_t>(levels_.front().cell_index(position));
+    });
+  }
+
+  bool fit(const Progress& progress) override
+  {
     mixture.clear(); // of an earlier call
     for(const Grid_level& level : levels_)
       mixture.push_back(level.gaussians);
@@ -144,13 +151,22 @@ public:
     refine(outlier);
     if(!progress(0.9))
       return false;
-    assign_points(assigned_vertices(outlier));
+    assign_components(assigned_vertices(outlier));
     return progress(1);
   }
 
   const Gaussians& components() const override { return mixture.front(); }
 
+  std::size_t number_of_points() const override { return component_of_point_.size(); }
+
+  std::size_t vertex_of_point(std::size_t p) const override
+  {
+    return vertex_of_component_[component_of_point_[p]];
+  }
+
 private:
+  static constexpr std::size_t number_of_levels = 3; // for who reads the mixture; we read the first
+
   /// Patches from the mixture without its noise: components that come to lie in one cell are one.
   Gaussians consolidated()
   {
@@ -266,29 +282,25 @@ private:
     return result;
   }
 
-  void assign_points(const std::vector<std::size_t>& vertex_of_sample)
+  void assign_components(const std::vector<std::size_t>& vertex_of_sample)
   {
-    const Grid_level& level = levels_.front();
+    const Gaussians& components = mixture.front();
     double outlier_weight = 0;
-    std::vector<std::size_t> vertex_of_component(level.gaussians.size());
-    for(std::size_t i = 0; i < vertex_of_component.size(); ++i) {
+    vertex_of_component_.resize(components.size());
+    for(std::size_t i = 0; i < components.size(); ++i) {
       const std::size_t patch = patch_of_component_[i];
-      vertex_of_component[i] = patch == none ? none : vertex_of_sample[patch];
-      if(vertex_of_component[i] == none)
-        outlier_weight += level.gaussians[i].weight;
+      vertex_of_component_[i] = patch == none ? none : vertex_of_sample[patch];
+      if(vertex_of_component_[i] == none)
+        outlier_weight += components[i].weight;
     }
     number_of_outliers = static_cast<std::size_t>(outlier_weight); // a sum of whole numbers
-    vertex_of_point.resize(points_->size());
-    parallel_for<ConcurrencyTag>(points_->size(), [&](std::size_t p) {
-      vertex_of_point[p] = vertex_of_component[level.cell_index((*points_)[p])];
-    });
   }
 
   Surface_quotient_options options_;
-  std::optional<Fine_cells> streamed_;
   std::vector<Grid_level> levels_;
-  const std::vector<Vector3>* points_ = nullptr;
-  std::vector<std::size_t> patch_of_component_; ///< `none` for outliers.
+  std::vector<std::uint16_t> component_of_point_; ///< Of the first level. Empty of streamed points.
+  std::vector<std::size_t> patch_of_component_;   ///< `none` for outliers.
+  std::vector<std::size_t> vertex_of_component_;  ///< `none` for outliers.
   double noise_ = 0;                            ///< In [0, 1].
   std::unique_ptr<Oriented_surface<ConcurrencyTag>> surface_;
 };

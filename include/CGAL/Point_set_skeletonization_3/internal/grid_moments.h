@@ -5,16 +5,19 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_GRID_MOMENTS_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Point_blocks.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/radix_sort.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -48,7 +51,7 @@ struct Grid_options
     CGAL_precondition(points_per_patch >= 1);
     // The eight cells around the origin stay apart however wide they are.
     CGAL_precondition(minimum_patches >= 8 && minimum_patches <= maximum_patches);
-    CGAL_precondition(maximum_patches <= 100000); // what `index_bits` can count
+    CGAL_precondition(maximum_patches <= 65535); // so is an index of 16 bits, which points keep
   }
 };
 
@@ -272,11 +275,8 @@ private:
   std::vector<Item> cells_; ///< Ascending.
 };
 
-/// Points are added to grids in blocks of this number, and the grids of the blocks in order: so sums
-/// are the same to the last bit for any number of threads and any chunks of a stream.
-constexpr std::size_t block_size = 1 << 18;
-
-/// Moments of points that come one after the other; the same bits as `fine_grid()` of all of them.
+/// Moments of points that come one after the other; the same bits as `fine_grid()` of all of them:
+/// both add up the grids of the same blocks.
 class Moment_stream
 {
 public:
@@ -290,7 +290,7 @@ public:
   {
     block_.push_back(p);
     ++size_;
-    if(block_.size() < block_size)
+    if(block_.size() < Point_blocks::block_size)
       return;
     blocks_.add(Moment_grid(block_.data(), block_.size(), maximum_cells_));
     block_.clear();
@@ -317,22 +317,23 @@ private:
   std::vector<Vector3> block_; ///< Points since the last full block.
 };
 
-/// Moments of `points` in a fine grid.
+/// Moments of points in a fine grid. The grids of blocks are added in order: so sums are the same to
+/// the last bit for any number of threads.
 template <typename ConcurrencyTag>
-Moment_grid fine_grid(const std::vector<Vector3>& points, std::size_t maximum_cells)
+Moment_grid fine_grid(const Point_blocks& points, std::size_t maximum_cells)
 {
-  constexpr std::size_t at_once = 8; // blocks: bounds the memory of their grids
+  // Blocks whose grids are in memory; to eight threads a block each.
+  constexpr std::size_t at_once = std::is_convertible<ConcurrencyTag, Parallel_tag>::value ? 8 : 1;
   Moment_grid result(maximum_cells);
-  for(std::size_t begin = 0; begin < points.size(); begin += at_once * block_size) {
-    const std::size_t size = std::min(points.size() - begin, at_once * block_size);
-    std::vector<Moment_grid> blocks((size + block_size - 1) / block_size,
-                                    Moment_grid(maximum_cells));
-    parallel_for<ConcurrencyTag>(blocks.size(), [&](std::size_t b) {
-      blocks[b] = Moment_grid(points.data() + begin + b * block_size,
-                              std::min(block_size, size - b * block_size), maximum_cells);
+  for(std::size_t begin = 0; begin < points.number_of_blocks(); begin += at_once) {
+    std::vector<Moment_grid> grids(std::min(at_once, points.number_of_blocks() - begin),
+                                   Moment_grid(maximum_cells));
+    parallel_for<ConcurrencyTag>(grids.size(), [&](std::size_t k) {
+      const std::vector<Vector3> block = points.block(begin + k);
+      grids[k] = Moment_grid(block.data(), block.size(), maximum_cells);
     });
-    for(Moment_grid& block : blocks)
-      result.add(std::move(block));
+    for(Moment_grid& grid : grids)
+      result.add(std::move(grid));
   }
   return result;
 }
@@ -412,8 +413,8 @@ inline std::vector<Grid_level> grid_levels(const Fine_cells& fine, const Grid_op
 
 /// The mixture of `points`: see `grid_levels()`.
 template <typename ConcurrencyTag>
-std::vector<Grid_level> grid_moments(const std::vector<Vector3>& points,
-                                     const Grid_options& options, std::size_t number_of_levels)
+std::vector<Grid_level> grid_moments(const Point_blocks& points, const Grid_options& options,
+                                     std::size_t number_of_levels)
 {
   options.check();
   const Fine_cells fine(fine_grid<ConcurrencyTag>(points, options.maximum_fine_cells()));

@@ -8,7 +8,7 @@
 #include <CGAL/Gaussian_mixture_3.h>
 #include <CGAL/Medial_sample_3.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Normalization.h>
-#include <CGAL/Point_set_skeletonization_3/internal/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Skeletonization_stages.h>
 #include <CGAL/Point_set_skeletonization_3/internal/samples.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -65,12 +65,12 @@ std::vector<Medial_sample_3<GeomTraits>> public_samples(const std::vector<Sample
   return result;
 }
 
-/// `vertex_of_point` gives every input point its vertex; a value that is no vertex: none.
+/// The result of the last stage.
 template <typename GeomTraits, typename SkeletonGraph>
-SkeletonGraph public_skeleton(const Skeleton_graph& graph,
-                              const std::vector<std::size_t>& vertex_of_point,
+SkeletonGraph public_skeleton(const Skeletonization_stages& stages,
                               const Normalization& normalization)
 {
+  const Skeleton_graph& graph = stages.graph;
   using FT = typename GeomTraits::FT;
   SkeletonGraph result(graph.vertices.size());
   for(std::size_t v = 0; v < graph.vertices.size(); ++v) {
@@ -78,9 +78,18 @@ SkeletonGraph public_skeleton(const Skeleton_graph& graph,
     bundle.point = normalization.point<GeomTraits>(graph.vertices[v].position);
     bundle.radius = static_cast<FT>(graph.vertices[v].radius * normalization.diagonal());
   }
-  for(std::size_t p = 0; p < vertex_of_point.size(); ++p)
-    if(vertex_of_point[p] < graph.vertices.size())
-      result[vertex(vertex_of_point[p], result)].indices.push_back(p);
+  // Of ten million points the indices are most of the memory: no more of it than they need.
+  const auto for_each_point = [&](const auto& visit) {
+    for(std::size_t p = 0; p < stages.number_of_points(); ++p)
+      if(const std::size_t v = stages.vertex_of_point(p); v != Skeletonization_stages::none)
+        visit(p, v);
+  };
+  std::vector<std::size_t> size(graph.vertices.size(), 0);
+  for_each_point([&](std::size_t, std::size_t v) { ++size[v]; });
+  for(std::size_t v = 0; v < size.size(); ++v)
+    result[vertex(v, result)].indices.reserve(size[v]);
+  for_each_point(
+    [&](std::size_t p, std::size_t v) { result[vertex(v, result)].indices.push_back(p); });
   for(const Skeleton_graph::Edge& e : graph.edges)
     add_edge(vertex(e.first, result), vertex(e.second, result), result);
   return result;
