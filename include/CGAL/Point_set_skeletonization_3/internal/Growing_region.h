@@ -13,7 +13,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -267,13 +266,13 @@ private:
   /// surface.
   void find_nearest(const std::vector<Part>& parts)
   {
-    using Step = std::pair<double, std::size_t>;
-    const auto later = [](const Step& a, const Step& b) { return a.first > b.first; };
-    std::priority_queue<Step, std::vector<Step>, decltype(later)> queue(later);
+    // In the order of the number of steps, which is nearly that of the distance: what has to be
+    // corrected costs less than a heap would.
+    std::vector<std::pair<double, std::size_t>> queue;
     const auto visit = [&](const Nearest& nearest, std::size_t i) {
       if(nearest < nearest_[i]) {
         nearest_[i] = nearest;
-        queue.emplace(nearest.distance, i);
+        queue.emplace_back(nearest.distance, i);
       }
     };
     for(const std::vector<std::size_t>* visited : {&region_, &front_})
@@ -282,13 +281,12 @@ private:
     for(int k = 0; k < 2; ++k)
       for(std::size_t i : parts[static_cast<std::size_t>(k)])
         visit({0, k + 1}, i);
-    while(!queue.empty()) {
-      const Step step = queue.top();
-      queue.pop();
-      const Nearest nearest = nearest_[step.second];
-      if(step.first > nearest.distance)
+    for(std::size_t next = 0; next < queue.size(); ++next) {
+      const auto [distance, i] = queue[next];
+      const Nearest nearest = nearest_[i];
+      if(distance > nearest.distance)
         continue; // came there on a shorter way
-      for(const auto& edge : edges_[step.second])
+      for(const auto& edge : edges_[i])
         visit({nearest.distance + edge.length, nearest.part}, edge.patch);
     }
   }
