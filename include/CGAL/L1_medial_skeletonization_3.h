@@ -168,8 +168,8 @@ public:
   void extract_skeleton(SkeletonGraph& skeleton) const
   {
     CGAL_precondition(steps_done_ == 3);
-    skeleton = Point_set_skeletonization_3::internal::public_skeleton<Traits, SkeletonGraph>(
-      *stages_, normalization_);
+    Point_set_skeletonization_3::internal::set_public_skeleton<Traits>(*stages_, normalization_,
+                                                                       skeleton);
   }
 
 private:

@@ -214,11 +214,7 @@ public:
   {
     coarsen_to(other.level_);
     other.coarsen_to(level_);
-    std::vector<Item> both(cells_.size() + other.cells_.size());
-    std::merge(cells_.begin(), cells_.end(), other.cells_.begin(), other.cells_.end(), both.begin(),
-               [](const Item& a, const Item& b) { return a.code < b.code; });
-    cells_.swap(both);
-    unite(0);
+    unite(other.cells_);
     while(level_ > 0 && size() > maximum_cells_)
       coarsen_to(level_ - 1);
   }
@@ -247,6 +243,43 @@ private:
     if(level < level_) {
       unite(3 * (level_ - level));
       level_ = level;
+    }
+  }
+
+  /// Adds cells of the same level. No more memory than the union needs: of many points drawn at
+  /// random all blocks have nearly the same cells.
+  void unite(const std::vector<Item>& others)
+  {
+    std::size_t size = 0;
+    for_each_cell(others, [&](const Item*, const Item*) { ++size; });
+    std::vector<Item> both;
+    both.reserve(size);
+    for_each_cell(others, [&](const Item* mine, const Item* other) {
+      both.push_back(mine != nullptr ? *mine : *other);
+      if(mine == nullptr || other == nullptr)
+        return;
+      Moments moments(mine->gaussian.mean);
+      moments.add(mine->gaussian);
+      moments.add(other->gaussian);
+      both.back().gaussian = moments.gaussian();
+    });
+    cells_.swap(both);
+  }
+
+  /// Calls `visit(mine, other)` for the cells of both in order, with a null for one that is missing.
+  template <typename Visit>
+  void for_each_cell(const std::vector<Item>& others, const Visit& visit) const
+  {
+    auto mine = cells_.begin();
+    auto other = others.begin();
+    while(mine != cells_.end() || other != others.end()) {
+      const bool has_mine = other == others.end() ||
+                            (mine != cells_.end() && mine->code <= other->code);
+      const bool has_other = mine == cells_.end() ||
+                             (other != others.end() && other->code <= mine->code);
+      visit(has_mine ? &*mine : nullptr, has_other ? &*other : nullptr);
+      mine += has_mine;
+      other += has_other;
     }
   }
 

@@ -14,6 +14,7 @@
 #include <boost/graph/adjacency_list.hpp>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 // Normalised internals to public data in the coordinates of the input, and back.
@@ -65,10 +66,28 @@ std::vector<Medial_sample_3<GeomTraits>> public_samples(const std::vector<Sample
   return result;
 }
 
-/// The result of the last stage.
+/// The points of every vertex, ascending. Of ten million points they are most of the memory: no more
+/// of it than they need.
+inline std::vector<std::vector<std::size_t>> points_of_vertices(const Skeletonization_stages& stages)
+{
+  const auto for_each_point = [&](const auto& visit) {
+    for(std::size_t p = 0; p < stages.number_of_points(); ++p)
+      if(const std::size_t v = stages.vertex_of_point(p); v != Skeletonization_stages::none)
+        visit(p, v);
+  };
+  std::vector<std::size_t> size(stages.graph.vertices.size(), 0);
+  for_each_point([&](std::size_t, std::size_t v) { ++size[v]; });
+  std::vector<std::vector<std::size_t>> result(size.size());
+  for(std::size_t v = 0; v < size.size(); ++v)
+    result[v].reserve(size[v]);
+  for_each_point([&](std::size_t p, std::size_t v) { result[v].push_back(p); });
+  return result;
+}
+
+/// Replaces `skeleton` by the result of the last stage.
 template <typename GeomTraits, typename SkeletonGraph>
-SkeletonGraph public_skeleton(const Skeletonization_stages& stages,
-                              const Normalization& normalization)
+void set_public_skeleton(const Skeletonization_stages& stages, const Normalization& normalization,
+                         SkeletonGraph& skeleton)
 {
   const Skeleton_graph& graph = stages.graph;
   using FT = typename GeomTraits::FT;
@@ -78,21 +97,12 @@ SkeletonGraph public_skeleton(const Skeletonization_stages& stages,
     bundle.point = normalization.point<GeomTraits>(graph.vertices[v].position);
     bundle.radius = static_cast<FT>(graph.vertices[v].radius * normalization.diagonal());
   }
-  // Of ten million points the indices are most of the memory: no more of it than they need.
-  const auto for_each_point = [&](const auto& visit) {
-    for(std::size_t p = 0; p < stages.number_of_points(); ++p)
-      if(const std::size_t v = stages.vertex_of_point(p); v != Skeletonization_stages::none)
-        visit(p, v);
-  };
-  std::vector<std::size_t> size(graph.vertices.size(), 0);
-  for_each_point([&](std::size_t, std::size_t v) { ++size[v]; });
-  for(std::size_t v = 0; v < size.size(); ++v)
-    result[vertex(v, result)].indices.reserve(size[v]);
-  for_each_point(
-    [&](std::size_t p, std::size_t v) { result[vertex(v, result)].indices.push_back(p); });
   for(const Skeleton_graph::Edge& e : graph.edges)
     add_edge(vertex(e.first, result), vertex(e.second, result), result);
-  return result;
+  auto indices = points_of_vertices(stages);
+  skeleton = result; // BGL graphs are copied, so without indices
+  for(std::size_t v = 0; v < indices.size(); ++v)
+    skeleton[vertex(v, skeleton)].indices = std::move(indices[v]);
 }
 
 } // namespace internal
