@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <random>
 #include <vector>
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -117,6 +118,28 @@ TEST_CASE("A cylinder is one branch along its axis, from cap to cap")
         CHECK(distance_to_nearest_end(skeleton, Vector(side * (0.5 + radius), 0, 0)) <
               1.3 * radius);
       CHECK(number_of_indices(skeleton) == 3000);
+    }
+}
+
+TEST_CASE("The radius is that of the limb, in noise as well")
+{
+  // The deviation of the noise is 0, a fifth and half of the radius.
+  constexpr double radius = 0.1;
+  for(const double noise : {0.0, 0.02, 0.05})
+    for(const unsigned int seed : seeds) {
+      CAPTURE(noise, seed);
+      std::vector<Vector> points = shapes::sample(shapes::cylinder(radius), 10000, seed);
+      std::mt19937 generator(seed);
+      std::normal_distribution<double> normal(0, 1);
+      for(Vector& p : points)
+        p += noise * Vector(normal(generator), normal(generator), normal(generator));
+      Skeleton skeleton;
+      REQUIRE(CGAL::extract_l1_medial_skeleton(shapes::to_points<Kernel>(points), skeleton));
+      std::vector<double> radii_of_vertices;
+      for(const auto v : boost::make_iterator_range(vertices(skeleton)))
+        radii_of_vertices.push_back(skeleton[v].radius);
+      CHECK(median(radii_of_vertices) > 0.75 * radius);
+      CHECK(median(radii_of_vertices) < 1.25 * radius);
     }
 }
 

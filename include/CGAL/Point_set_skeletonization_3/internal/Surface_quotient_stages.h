@@ -151,7 +151,9 @@ public:
     refine(outlier);
     if(!progress(0.9))
       return false;
-    assign_components(assigned_vertices(outlier));
+    const std::vector<std::size_t> vertex_of_sample = assigned_vertices(outlier);
+    correct_radii(vertex_of_sample);
+    assign_components(vertex_of_sample);
     return progress(1);
   }
 
@@ -247,6 +249,28 @@ private:
       if(radius > 0)
         graph.vertices[v].radius = radius;
     });
+  }
+
+  /// In noise some patch is always nearer than the surface, and none is left around a limb that has
+  /// drowned in it: there the points themselves tell the radius, by the lower quartile of their
+  /// distances. Where the data are clean they do not, the cross-section need not be round.
+  void correct_radii(const std::vector<std::size_t>& vertex_of_sample)
+  {
+    if(!(noise_ > 0))
+      return;
+    const Gaussians& components = mixture.front();
+    std::vector<std::vector<double>> distances(graph.vertices.size());
+    for(std::size_t i = 0; i < components.size(); ++i) {
+      const std::size_t patch = patch_of_component_[i];
+      const std::size_t v = patch == none ? none : vertex_of_sample[patch];
+      if(v != none)
+        distances[v].push_back((components[i].mean - graph.vertices[v].position).norm());
+    }
+    for(std::size_t v = 0; v < distances.size(); ++v)
+      if(!distances[v].empty()) {
+        double& radius = graph.vertices[v].radius;
+        radius = std::max(radius, noise_ * quantile(std::move(distances[v]), 0.25));
+      }
   }
 
   /// The number of points of every vertex.

@@ -189,8 +189,10 @@ private:
       });
       const double quartile = quantile(roughness, 0.25);
       // Uneven sampling alone measures up to 0.03, noise of a quarter of the spacing 0.05 and more.
+      // So much noise that it fills a volume evenly has no scatter, but nothing is smooth.
       if(size == 0)
-        strength_ = std::min(1.0, std::max(0.0, (scatter(view) - 0.03) / 0.03));
+        strength_ = std::min(1.0, std::max({0.0, (scatter(view) - 0.03) / 0.03,
+                                            (quartile - 0.3) / 0.2}));
       if(quartile > least)
         return;
       size_ = size;
