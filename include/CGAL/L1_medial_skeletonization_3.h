@@ -93,7 +93,7 @@ public:
   bool fit_mixture()
   {
     steps_done_ = 0;
-    if(!progress_(0) || !stages_->fit(progress_.part(0, 0.2)))
+    if(!progress_(0) || !stages_->fit(progress_.part(0, 0.1)))
       return false;
     steps_done_ = 1;
     return true;
@@ -105,7 +105,7 @@ public:
   {
     CGAL_precondition(steps_done_ >= 1);
     steps_done_ = 1;
-    if(!stages_->project(progress_.part(0.2, 0.9)))
+    if(!stages_->project(progress_.part(0.1, 0.5)))
       return false;
     steps_done_ = 2;
     return true;
@@ -117,7 +117,7 @@ public:
   {
     CGAL_precondition(steps_done_ >= 2);
     steps_done_ = 2;
-    if(!stages_->link(progress_.part(0.9, 1)))
+    if(!stages_->link(progress_.part(0.5, 1)))
       return false;
     steps_done_ = 3;
     return true;

@@ -22,6 +22,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/surface_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/winding_number.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -75,10 +76,15 @@ Projection_outcome project_patches(const Oriented_surface<ConcurrencyTag>& surfa
 {
   const std::vector<double> balls =
     medial_ball_radii<ConcurrencyTag>(surface.patches, surface.confidence);
+  if(!progress(0.5)) {
+    Projection_outcome cancelled;
+    cancelled.reason = Projection_stop_reason::cancelled;
+    return cancelled;
+  }
   samples = medial_samples<ConcurrencyTag>(surface.patches, surface.confidence,
                                            *surface.winding_number, balls, options);
   const Projection_outcome outcome =
-    project_samples<ConcurrencyTag>(samples, *surface.mixture, options, progress);
+    project_samples<ConcurrencyTag>(samples, *surface.mixture, options, progress.part(0.6, 0.9));
   bring_back_lost_samples<ConcurrencyTag>(samples, surface.patches, *surface.winding_number);
   return outcome;
 }
@@ -131,8 +137,9 @@ public:
     surface_ = std::make_unique<Oriented_surface<ConcurrencyTag>>(clean);
     if(!progress(0.6))
       return false;
-    outcome = project_patches<ConcurrencyTag>(*surface_, options_.projection, progress.part(0.6, 1), samples);
-    return outcome.reason != Projection_stop_reason::cancelled;
+    outcome = project_patches<ConcurrencyTag>(*surface_, options_.projection,
+                                              progress.part(0.6, 0.9), samples);
+    return outcome.reason != Projection_stop_reason::cancelled && progress(1);
   }
 
   bool link(const Progress& progress) override
@@ -141,6 +148,8 @@ public:
       return progress(1);
     // In clean data the ball of a patch is unknown where limbs touch; noise hides it in any thin limb.
     const Limb_joints joints(surface_->patches, samples, noise_);
+    if(!progress(0.1))
+      return false;
     const std::vector<Local_separator> separators = disjoint_separators<ConcurrencyTag>(
       surface_->patches, samples, joints, *surface_->winding_number);
     if(!progress(0.6))

@@ -4,7 +4,6 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_NAMED_PARAMETERS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_NAMED_PARAMETERS_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/Normalization.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Published_stages.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Surface_quotient_stages.h>
@@ -16,7 +15,6 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <vector>
 
 // The only place where named parameters are read; everything below sees plain structs.
 
@@ -35,18 +33,6 @@ Progress progress_of(const NamedParameters& np)
 {
   return Progress(parameters::choose_parameter(
     parameters::get_parameter(np, internal_np::callback), std::function<bool(double)>()));
-}
-
-/// The points of a range through its `point_map`.
-template <typename PointRange, typename NamedParameters>
-std::vector<Vector3> coordinates_of(const PointRange& points, const NamedParameters& np)
-{
-  using Helper = Point_set_processing_3_np_helper<PointRange, NamedParameters>;
-  const auto map = Helper::get_const_point_map(points, np);
-  std::vector<Vector3> result;
-  for(const auto& item : points)
-    result.push_back(Normalization::vector(get(map, item)));
-  return result;
 }
 
 /// `number_of_iterations` is the bound if the parameters do not name one.
