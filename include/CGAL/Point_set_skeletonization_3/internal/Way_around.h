@@ -12,6 +12,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/winding_number.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -38,6 +39,7 @@ public:
       , winding_number_(winding_number)
       , edges_(patches, [&](std::size_t i, std::size_t j) { return joints.are_joined(i, j); })
       , place_(patches.size(), elsewhere)
+      , reached_from_(patches.size(), elsewhere)
       , visits_(patches.size())
   {}
 
@@ -63,6 +65,8 @@ private:
   {
     // What the points show as a hole is surrounded by more patches than that.
     constexpr std::size_t around_an_end = 4;
+    if(!are_connected(separator))
+      return false;
     const std::vector<std::size_t> way = shortest(separator);
     if(way.size() <= around_an_end)
       return !way.empty();
@@ -146,6 +150,35 @@ private:
       place_[i] = where;
   }
 
+  /// Whether there is any way from one side to the other. It is looked for from both in turn: where
+  /// a limb is cut off, only the smaller part of the shape is visited, twice.
+  bool are_connected(const Local_separator& separator)
+  {
+    constexpr std::array<Place, 2> side = {on_first_side, on_second_side};
+    std::array<std::vector<std::size_t>, 2> reached;
+    bool result = false;
+    const auto reach = [&](std::size_t i, std::size_t k) {
+      if(reached_from_[i] == elsewhere) {
+        reached_from_[i] = side[k];
+        reached[k].push_back(i);
+      } else if(reached_from_[i] != side[k])
+        result = true;
+    };
+    for(std::size_t k : {0, 1})
+      for(std::size_t i : separator.sides[k])
+        reach(i, k);
+    for(std::size_t next = 0;
+        !result && next < std::min(reached[0].size(), reached[1].size()); ++next)
+      for(std::size_t k : {0, 1})
+        for(const auto& edge : edges_[reached[k][next]])
+          if(place_[edge.patch] != on_separator)
+            reach(edge.patch, k);
+    for(const std::vector<std::size_t>& visited : reached)
+      for(std::size_t i : visited)
+        reached_from_[i] = elsewhere;
+    return result;
+  }
+
   /// The patches along the shortest way from the second side to the first; none if there is no way.
   std::vector<std::size_t> shortest(const Local_separator& separator)
   {
@@ -203,6 +236,7 @@ private:
 
   // Of every patch; as at the beginning between calls.
   std::vector<Place> place_;
+  std::vector<Place> reached_from_; ///< A side.
   std::vector<Visit> visits_;
 };
 

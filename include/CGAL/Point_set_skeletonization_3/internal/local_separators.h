@@ -42,22 +42,38 @@ inline std::vector<std::size_t> separator_seeds(const std::vector<Sample>& sampl
   return seeds;
 }
 
-/// The separators found from the seeds, in their order.
+/// Separators grown from the seeds, in their order. A patch that two separators hold needs no third
+/// (Baerentzen & Rotenberg 2021 skip such seeds the more likely the more separators hold them): most
+/// of them are the same, and the tightest cross-section is among the first few.
 template <typename ConcurrencyTag>
 std::vector<Local_separator> grown_separators(const std::vector<Patch>& patches,
                                               const std::vector<Sample>& samples,
                                               const std::vector<std::size_t>& seeds)
 {
-  // Enough seeds for what a region allocates to cost nothing, few enough to share among threads.
-  constexpr std::size_t block = 32;
+  constexpr int enough = 2;
+  // Every round grows from seeds all over the shape; what is found counts for the rounds after it,
+  // so the result does not depend on the number of threads. More rounds skip hardly more seeds.
+  constexpr std::size_t rounds = 8;
+  // Enough seeds for what a region allocates to cost little, few enough to share among threads.
+  constexpr std::size_t block = 16;
   const Patch_edges edges(patches);
   std::vector<Local_separator> result(seeds.size());
-  parallel_for<ConcurrencyTag>((seeds.size() + block - 1) / block, [&](std::size_t b) {
-    Growing_region region(patches, edges, samples);
-    const std::size_t end = std::min(seeds.size(), (b + 1) * block);
-    for(std::size_t s = b * block; s < end; ++s)
-      result[s] = region.separator(seeds[s]);
-  });
+  std::vector<int> separators_through(patches.size(), 0);
+  for(std::size_t round = 0; round < rounds; ++round) {
+    std::vector<std::size_t> open;
+    for(std::size_t s = round; s < seeds.size(); s += rounds)
+      if(separators_through[seeds[s]] < enough)
+        open.push_back(s);
+    parallel_for<ConcurrencyTag>((open.size() + block - 1) / block, [&](std::size_t b) {
+      Growing_region region(patches, edges, samples);
+      const std::size_t end = std::min(open.size(), (b + 1) * block);
+      for(std::size_t k = b * block; k < end; ++k)
+        result[open[k]] = region.separator(seeds[open[k]]);
+    });
+    for(std::size_t s : open)
+      for(std::size_t i : result[s].patches)
+        ++separators_through[i];
+  }
   result.erase(std::remove_if(result.begin(), result.end(),
                               [](const Local_separator& s) { return s.patches.empty(); }),
                result.end());
