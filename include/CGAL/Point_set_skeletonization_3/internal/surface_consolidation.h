@@ -29,6 +29,8 @@ struct Local_fit
 {
   Vector3 mean = Vector3::Zero();
   Vector3 normal = Vector3::UnitZ();
+  Vector3 axis = Vector3::UnitX(); ///< Of the largest variance.
+  double elongation = 0;           ///< In [0, 1]: 0 not twice as long as wide, 1 a line.
   double density = 0;   ///< Weight in the window over its area.
   double roughness = 1; ///< The smallest principal variance over the next: 0 a plane, 1 a blob.
   double thickness = 0; ///< Square root of the smallest principal variance.
@@ -65,6 +67,9 @@ public:
     const Vector3 variance = solver.eigenvalues().cwiseMax(0);
     fit.mean = window.mean;
     fit.normal = solver.eigenvectors().col(0);
+    fit.axis = solver.eigenvectors().col(2);
+    if(variance[2] > 0)
+      fit.elongation = std::max(0.0, 1 - 4 * variance[1] / variance[2]);
     fit.thickness = std::sqrt(variance[0]);
     fit.density = moments.weight() / (radius_ * radius_);
     // A line, to rounding, is as rough as a blob: it has no normal.
@@ -116,8 +121,8 @@ struct Consolidated_surface
 /// of a row of sizes whose roughness is small, or grows with the next size. What counts is the first
 /// quartile over the shape: noise is everywhere, and nearly every shape is smooth for a quarter.
 /// A component moves to the plane fitted in its window, or in a narrower one where that shows a limb
-/// all around; in a twig as thin as the noise to the mean, as mean shift does (Comaniciu & Meer
-/// 2002). Without noise nothing moves.
+/// all around; in a twig as thin as the noise across it to the mean, as mean shift does (Comaniciu &
+/// Meer 2002). Without noise nothing moves.
 template <typename ConcurrencyTag>
 class Surface_consolidation
 {
@@ -285,8 +290,10 @@ private:
       density_[i] = fit.density;
       const double blob = std::min(1.0, std::max(0.0, (fit.roughness - 0.1) / 0.2));
       const Vector3 step = fit.mean - position;
+      // Along a twig nothing moves, or its points would gather in lumps.
+      const Vector3 across = step - fit.elongation * fit.axis.dot(step) * fit.axis;
       position += strength_ * ((1 - blob) * fit.normal.dot(step) * fit.normal +
-                               blob * drowned(fit) * step);
+                               blob * drowned(fit) * across);
     });
   }
 
