@@ -27,8 +27,9 @@ namespace CGAL {
 ///     \cgalParamNBegin{geom_traits} \cgalParamDescription{a model of
 ///       `L1MedialSkeletonizationTraits_3`} \cgalParamDefault{the kernel of the points} \cgalParamNEnd
 ///     \cgalParamNBegin{callback} \cgalParamDescription{called with the progress in [0, 1], from the
-///       calling thread; returning `false` cancels} \cgalParamType{`std::function<bool(double)>`}
-///       \cgalParamDefault{none} \cgalParamNEnd
+///       calling thread, for the first time when the points have been read; returning `false`
+///       cancels} \cgalParamType{`std::function<bool(double)>`} \cgalParamDefault{none}
+///     \cgalParamNEnd
 ///     \cgalParamNBegin{number_of_iterations} \cgalParamDescription{bound on the steps to
 ///       L1-medians that follow the medial balls, and draw samples of bent limbs off the axis; as
 ///       published, the fixed number of iterations} \cgalParamType{`std::size_t`}
