@@ -10,6 +10,7 @@
 #include "shapes.h"
 
 #include <CGAL/Point_set_skeletonization_3/internal/Rubber_band.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Way_around.h>
 #include <CGAL/Point_set_skeletonization_3/internal/limb_joints.h>
 #include <CGAL/Point_set_skeletonization_3/internal/winding_number.h>
 #include <CGAL/extract_l1_medial_skeleton.h>
@@ -33,10 +34,16 @@ Vector3 around(double angle)
   return Vector3(std::cos(angle), std::sin(angle), 0);
 }
 
+constexpr int along = 60, across = 18; // patches of a torus
+
+std::size_t index(int i, int j)
+{
+  return static_cast<std::size_t>((i + along) % along * across + (j + across) % across);
+}
+
 // Patches of a torus around the z axis, with outward normals.
 std::vector<Patch> torus()
 {
-  constexpr int along = 60, across = 18;
   std::vector<Patch> patches;
   for(int i = 0; i < along; ++i)
     for(int j = 0; j < across; ++j) {
@@ -49,9 +56,34 @@ std::vector<Patch> torus()
       patch.area = 2 * CGAL_PI / along * (ring_radius + tube_radius * std::cos(angle)) *
                    patch.spacing;
       patch.planarity = 1;
+      patch.neighbors = {index(i - 1, j), index(i, j - 1), index(i, j + 1), index(i + 1, j)};
       patches.push_back(patch);
     }
   return patches;
+}
+
+// A sample in the middle of the tube for every patch of the torus.
+std::vector<Sample> torus_samples(const std::vector<Patch>& patches)
+{
+  std::vector<Sample> samples(patches.size());
+  for(std::size_t i = 0; i < patches.size(); ++i) {
+    samples[i].origin = patches[i].mean;
+    samples[i].position = patches[i].mean - tube_radius * patches[i].normal;
+    samples[i].radius = tube_radius;
+  }
+  return samples;
+}
+
+// The patches of a cross-section of the torus, from one angle to another.
+Local_separator torus_separator(int i, int first, int last)
+{
+  Local_separator result;
+  for(int j = first; j < last; ++j) {
+    result.patches.push_back(index(i, j));
+    result.sides[0].push_back(index(i - 1, j));
+    result.sides[1].push_back(index(i + 1, j));
+  }
+  return result;
 }
 
 bool shrinks(const std::vector<Vector3>& curve)
@@ -88,6 +120,19 @@ TEST_CASE("A rubber band that goes there and back in a bent limb shrinks to a po
   for(int i = 20; i >= 0; --i)
     curve.push_back((ring_radius - 0.1) * around(1.5 * CGAL_PI * i / 20));
   CHECK(shrinks(curve));
+}
+
+TEST_CASE("A ring around a limb is a separator, an arc of it is none")
+{
+  const std::vector<Patch> patches = torus();
+  const std::vector<Sample> samples = torus_samples(patches);
+  const Winding_number winding_number(patches);
+  const Limb_joints joints(patches, samples, 0);
+  Way_around way_around(patches, samples, joints, winding_number);
+  CHECK_FALSE(way_around.cuts(torus_separator(10, 0, across / 2)));
+  CHECK(way_around.cuts(torus_separator(10, 0, across)));
+  CHECK(way_around.cuts(torus_separator(30, 0, across)));
+  CHECK_FALSE(way_around.cuts(torus_separator(30, 3, across - 3)));
 }
 
 TEST_CASE("Joints of balls: whole within a limb, nothing between limbs that touch")
