@@ -12,8 +12,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <random>
+#include <set>
 #include <vector>
 
 using namespace CGAL::Point_set_skeletonization_3::internal;
@@ -61,7 +63,7 @@ private:
 template <typename ConcurrencyTag = Sequential_tag>
 Levels levels_of(const Points& points, const Grid_options& options = Grid_options())
 {
-  return grid_moments<ConcurrencyTag>(Normalized_blocks(points), options, number_of_levels);
+  return grid_moments<ConcurrencyTag>(Normalized_blocks(points), options, number_of_levels).levels;
 }
 
 Gaussian total(const Gaussians& mixture)
@@ -91,24 +93,30 @@ void check_same_bits(const Levels& a, const Levels& b)
 {
   REQUIRE(a.size() == b.size());
   for(std::size_t k = 0; k < a.size(); ++k) {
-    CHECK(a[k].cells == b[k].cells);
-    CHECK(a[k].cell_size() == b[k].cell_size());
-    REQUIRE(a[k].gaussians.size() == b[k].gaussians.size());
-    for(std::size_t i = 0; i < a[k].gaussians.size(); ++i) {
-      const Gaussian &g = a[k].gaussians[i], &h = b[k].gaussians[i];
+    CHECK(a[k].grid.cell_size() == b[k].grid.cell_size());
+    REQUIRE(a[k].cells.cells() == b[k].cells.cells());
+    const Gaussians before = a[k].gaussians(), after = b[k].gaussians();
+    for(std::size_t i = 0; i < before.size(); ++i) {
+      const Gaussian &g = before[i], &h = after[i];
       REQUIRE((g.weight == h.weight && g.mean == h.mean && g.covariance == h.covariance));
     }
   }
+}
+
+// The place of the Gaussian that holds the moments of `p`, which is one of the points.
+std::size_t cell_index(const Grid_level& level, const Vector3& p)
+{
+  return level.cells.number(Cell_of_point(level.grid)(p));
 }
 
 // The moments of the points that `cell_index()` gives each Gaussian of a level.
 Gaussians gathered(const Grid_level& level, const Points& points)
 {
   std::vector<Moments> moments;
-  for(const Gaussian& g : level.gaussians)
+  for(const Gaussian& g : level.gaussians())
     moments.emplace_back(g.mean);
   for(const Vector3& p : points) {
-    const std::size_t i = level.cell_index(p);
+    const std::size_t i = cell_index(level, p);
     REQUIRE(i < moments.size());
     moments[i].add(1, p);
   }
@@ -128,7 +136,7 @@ TEST_CASE("Every level keeps mass, mean and covariance of the points")
     const Levels levels = levels_of(points);
     REQUIRE(levels.size() == number_of_levels);
     for(const Grid_level& level : levels)
-      check_equal(total(level.gaussians), total(points));
+      check_equal(total(level.gaussians()), total(points));
   }
 }
 
@@ -137,7 +145,7 @@ TEST_CASE("A grid has at most the wanted number of patches and never stops far b
   for(std::size_t size : {100u, 3000u, 10000u, 60000u}) {
     CAPTURE(size);
     const Grid_options options;
-    const std::size_t patches = levels_of(cloud(size, 2)).front().gaussians.size();
+    const std::size_t patches = levels_of(cloud(size, 2)).front().cells.size();
     CHECK(patches <= options.patches(size));
     CHECK(patches >= std::min(size / 10, options.patches(size) / 3));
   }
@@ -149,13 +157,13 @@ TEST_CASE("Levels nest: a cell and its points lie in one cell of the next level,
   const Levels levels = levels_of(points);
   for(std::size_t k = 0; k + 1 < levels.size(); ++k) {
     const Grid_level &fine = levels[k], &coarse = levels[k + 1];
-    CHECK(coarse.cell_size() == 2 * fine.cell_size());
-    CHECK(coarse.gaussians.size() <= fine.gaussians.size());
+    CHECK(coarse.grid.cell_size() == 2 * fine.grid.cell_size());
+    CHECK(coarse.cells.size() <= fine.cells.size());
     constexpr std::size_t none = static_cast<std::size_t>(-1);
-    std::vector<std::size_t> parent(fine.gaussians.size(), none);
+    std::vector<std::size_t> parent(fine.cells.size(), none);
     for(const Vector3& p : points) {
-      std::size_t& known = parent[fine.cell_index(p)];
-      const std::size_t found = coarse.cell_index(p);
+      std::size_t& known = parent[cell_index(fine, p)];
+      const std::size_t found = cell_index(coarse, p);
       REQUIRE((known == none || known == found));
       known = found;
     }
@@ -166,20 +174,57 @@ TEST_CASE("A cell index leads to the Gaussian of the very points in the cell")
 {
   const Points points = cloud(20000, 4);
   for(const Grid_level& level : levels_of(points)) {
-    REQUIRE(std::is_sorted(level.cells.begin(), level.cells.end()));
-    const Gaussians found = gathered(level, points);
+    const std::vector<std::uint64_t>& cells = level.cells.cells();
+    REQUIRE(std::is_sorted(cells.begin(), cells.end()));
+    const Gaussians found = gathered(level, points), gaussians = level.gaussians();
     double worst = 0;
     for(std::size_t i = 0; i < found.size(); ++i) {
-      REQUIRE(found[i].weight == level.gaussians[i].weight);
-      worst = std::max({worst, (found[i].mean - level.gaussians[i].mean).norm(),
-                        (found[i].covariance - level.gaussians[i].covariance).norm()});
+      REQUIRE(found[i].weight == gaussians[i].weight);
+      worst = std::max({worst, (found[i].mean - gaussians[i].mean).norm(),
+                        (found[i].covariance - gaussians[i].covariance).norm()});
     }
     CHECK(worst < 1e-12);
     for(const Vector3& p : points) {
-      const Vector3 offset = p - level.gaussians[level.cell_index(p)].mean;
-      REQUIRE(offset.lpNorm<Eigen::Infinity>() <= level.cell_size());
+      const Vector3 offset = p - gaussians[cell_index(level, p)].mean;
+      REQUIRE(offset.lpNorm<Eigen::Infinity>() <= level.grid.cell_size());
     }
   }
+}
+
+TEST_CASE("Every point knows its cell in the first level")
+{
+  const Points points = cloud(100000, 10);
+  const Grid_mixture mixture =
+    grid_moments<Parallel_if_available_tag>(Normalized_blocks(points), Grid_options(), 1);
+  REQUIRE(mixture.levels.size() == 1);
+  REQUIRE(mixture.cell_of_point.size() == points.size());
+  for(std::size_t i = 0; i < points.size(); ++i)
+    REQUIRE(mixture.cell_of_point[i] == cell_index(mixture.levels.front(), points[i]));
+}
+
+TEST_CASE("A set of cells holds every cell once, and an index every cell under a number of its own")
+{
+  std::mt19937 generator(11);
+  const auto place = [&] { return static_cast<std::int32_t>(generator() % 64) - 32; };
+  Cell_set set;
+  Cell_index index;
+  std::set<std::uint64_t> expected;
+  for(int i = 0; i < 20000; ++i) {
+    const Grid_cell cell{{place(), place() / 4, place() / 8}};
+    REQUIRE(unpacked(packed(cell)) == cell);
+    set.insert(cell);
+    const std::size_t number = index.insert(packed(cell));
+    expected.insert(packed(cell));
+    REQUIRE(set.size() == expected.size());
+    REQUIRE(index.size() == expected.size());
+    REQUIRE(index.cells()[number] == packed(cell));
+    REQUIRE(index[packed(cell)] == number);
+  }
+  const std::vector<std::uint64_t> cells = set.cells();
+  CHECK(std::set<std::uint64_t>(cells.begin(), cells.end()) == expected);
+  set.clear();
+  CHECK(set.size() == 0);
+  CHECK(set.cells().empty());
 }
 
 TEST_CASE("The order of the points changes nothing but rounding")
@@ -190,9 +235,10 @@ TEST_CASE("The order of the points changes nothing but rounding")
   const Levels after = levels_of(points);
   REQUIRE(before.size() == after.size());
   for(std::size_t k = 0; k < before.size(); ++k) {
-    REQUIRE(before[k].cells == after[k].cells);
-    for(std::size_t i = 0; i < before[k].gaussians.size(); ++i) {
-      const Gaussian &g = before[k].gaussians[i], &h = after[k].gaussians[i];
+    REQUIRE(before[k].cells.cells() == after[k].cells.cells());
+    const Gaussians a = before[k].gaussians(), b = after[k].gaussians();
+    for(std::size_t i = 0; i < a.size(); ++i) {
+      const Gaussian &g = a[i], &h = b[i];
       REQUIRE(g.weight == h.weight);
       REQUIRE((g.mean - h.mean).norm() < 1e-14);
       REQUIRE((g.covariance - h.covariance).norm() < 1e-14);
@@ -200,19 +246,19 @@ TEST_CASE("The order of the points changes nothing but rounding")
   }
 }
 
-TEST_CASE("More points than a block and more cells than the fine grid holds")
+TEST_CASE("More points than a part of a cloud and more cells than the fine grid holds")
 {
-  // Three blocks of up to 2^18 points have grids of their own; nearly every point has a cell.
-  const Points points = cloud(600000, 7);
+  // Nearly every point has a cell of the finest grid.
+  const Points points = cloud(300000, 7);
   Grid_options options;
   options.maximum_patches = 1000;
   const Levels sequential = levels_of(points, options);
-  CHECK(sequential.front().gaussians.size() <= options.maximum_patches);
-  check_equal(total(sequential.front().gaussians), total(points));
+  CHECK(sequential.front().cells.size() <= options.maximum_patches);
+  check_equal(total(sequential.front().gaussians()), total(points));
   check_same_bits(sequential, levels_of<Parallel_if_available_tag>(points, options));
 
   Points reversed(points.rbegin(), points.rend());
-  CHECK(levels_of(reversed, options).front().cells == sequential.front().cells);
+  CHECK(levels_of(reversed, options).front().cells.cells() == sequential.front().cells.cells());
 }
 
 TEST_CASE("The concurrency tag does not change a bit")
@@ -225,7 +271,7 @@ TEST_CASE("As few patches as a grid around the origin can have")
 {
   Grid_options options;
   options.minimum_patches = options.maximum_patches = 8;
-  CHECK(levels_of(cloud(1000, 9), options).front().gaussians.size() <= 8);
+  CHECK(levels_of(cloud(1000, 9), options).front().cells.size() <= 8);
 }
 
 TEST_CASE("No points, one point, equal points")
@@ -237,11 +283,12 @@ TEST_CASE("No points, one point, equal points")
     const Levels levels = levels_of(Points(size, p));
     REQUIRE(levels.size() == number_of_levels);
     for(const Grid_level& level : levels) {
-      REQUIRE(level.gaussians.size() == 1);
-      CHECK(level.gaussians[0].weight == static_cast<double>(size));
-      CHECK((level.gaussians[0].mean - p).norm() < 1e-15);
-      CHECK(level.gaussians[0].covariance.norm() < 1e-15);
-      CHECK(level.cell_index(p) == 0);
+      REQUIRE(level.cells.size() == 1);
+      const Gaussian found = level.gaussians().front();
+      CHECK(found.weight == static_cast<double>(size));
+      CHECK((found.mean - p).norm() < 1e-15);
+      CHECK(found.covariance.norm() < 1e-15);
+      CHECK(cell_index(level, p) == 0);
     }
   }
 }

@@ -29,10 +29,10 @@ class L1_medial_skeletonization_3;
 /// is occupied, 2 x 2 x 2 become one, which is exact; so memory is bounded, by about 100 MB,
 /// whatever the number of points.
 ///
-/// What is inserted into one builder gives the same bits however it is cut into chunks, and if the
-/// box is the bounding box of the points, the bits of the whole range given at once. Another order
-/// of the points, or merging builders, one per thread or machine, changes the moments by rounding
-/// only.
+/// What is inserted into one builder gives the same bits however it is cut into chunks. If the box is
+/// the bounding box of the points, these are, but for rounding, the moments of the whole range given
+/// at once; another order of the points, or merging builders, one per thread or machine, changes
+/// them by rounding only.
 ///
 /// \tparam Traits a model of `L1MedialSkeletonizationTraits_3`
 template <typename Traits>
@@ -78,6 +78,7 @@ public:
     if(!inside)
       fail("is outside the given box; enlarge the box");
     moments_.add(normalization_.to_unit(p));
+    ++number_of_points_;
   }
 
   /// Adds the points of another builder.
@@ -86,11 +87,12 @@ public:
   {
     CGAL_precondition(other.box_ == box_);
     moments_.add(other.moments_);
+    number_of_points_ += other.number_of_points_;
   }
 
   const Bbox_3& box() const { return box_; }
 
-  std::size_t number_of_points() const { return moments_.size(); }
+  std::size_t number_of_points() const { return number_of_points_; }
 
 private:
   template <typename T, typename ConcurrencyTag>
@@ -114,7 +116,8 @@ private:
 
   Bbox_3 box_;
   Normalization normalization_;
-  Point_set_skeletonization_3::internal::Moment_stream moments_{
+  std::size_t number_of_points_ = 0;
+  Point_set_skeletonization_3::internal::Moment_grid moments_{
     Point_set_skeletonization_3::internal::Grid_options().maximum_fine_cells()};
 };
 

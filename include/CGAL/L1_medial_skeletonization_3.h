@@ -82,7 +82,7 @@ public:
     namespace internal = Point_set_skeletonization_3::internal;
     CGAL_precondition(!internal::is_as_published(np));
     stages_ = std::make_unique<internal::Surface_quotient_stages<ConcurrencyTag>>(
-      internal::default_method_options(np), internal::Fine_cells(points.moments_.grid()));
+      internal::default_method_options(np), points.moments_);
   }
 
   // The stages are not copied.

@@ -21,8 +21,8 @@ namespace internal {
 class Point_blocks
 {
 public:
-  /// Points in a block; the last one may have fewer.
-  static constexpr std::size_t block_size = 1 << 18;
+  /// Points in a block, which fits into the second cache; the last one may have fewer.
+  static constexpr std::size_t block_size = 1 << 12;
 
   virtual ~Point_blocks() = default;
 
@@ -33,6 +33,18 @@ public:
   virtual std::vector<Vector3> block(std::size_t b) const = 0;
 
   std::size_t number_of_blocks() const { return (size() + block_size - 1) / block_size; }
+
+  /// Calls `visit(i, point)` for the points of the `k`-th of `parts` parts of the cloud, in order.
+  template <typename Visit>
+  void visit_part(std::size_t k, std::size_t parts, const Visit& visit) const
+  {
+    const std::size_t end = (k + 1) * number_of_blocks() / parts;
+    for(std::size_t b = k * number_of_blocks() / parts; b < end; ++b) {
+      std::size_t i = b * block_size;
+      for(const Vector3& point : block(b))
+        visit(i++, point);
+    }
+  }
 };
 
 /// The points of a range through a property map. Refers to the range.

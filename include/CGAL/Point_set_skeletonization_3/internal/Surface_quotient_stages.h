@@ -24,7 +24,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -103,27 +102,20 @@ public:
   explicit Surface_quotient_stages(const Surface_quotient_options& options) : options_(options) {}
 
   /// For points that were streamed: all that is left of them are their moments.
-  Surface_quotient_stages(const Surface_quotient_options& options, const Fine_cells& streamed)
-    : options_(options), levels_(grid_levels(streamed, Grid_options(), number_of_levels))
+  Surface_quotient_stages(const Surface_quotient_options& options, const Moment_grid& streamed)
+    : options_(options), grid_(grid_moments(streamed, Grid_options(), number_of_levels))
   {}
 
   void read(const Point_blocks& points) override
   {
-    levels_ = grid_moments<ConcurrencyTag>(points, Grid_options(), number_of_levels);
-    component_of_point_.resize(points.size());
-    parallel_for<ConcurrencyTag>(points.number_of_blocks(), [&](std::size_t b) {
-      std::size_t p = b * Point_blocks::block_size;
-      for(const Vector3& position : points.block(b))
-        component_of_point_[p++] =
-          static_cast<std::uint16_t>(levels_.front().cell_index(position));
-    });
+    grid_ = grid_moments<ConcurrencyTag>(points, Grid_options(), number_of_levels);
   }
 
   bool fit(const Progress& progress) override
   {
     mixture.clear(); // of an earlier call
-    for(const Grid_level& level : levels_)
-      mixture.push_back(level.gaussians);
+    for(const Grid_level& level : grid_.levels)
+      mixture.push_back(level.gaussians());
     return progress(1);
   }
 
@@ -168,11 +160,11 @@ public:
 
   const Gaussians& components() const override { return mixture.front(); }
 
-  std::size_t number_of_points() const override { return component_of_point_.size(); }
+  std::size_t number_of_points() const override { return grid_.cell_of_point.size(); }
 
   std::size_t vertex_of_point(std::size_t p) const override
   {
-    return vertex_of_component_[component_of_point_[p]];
+    return vertex_of_component_[grid_.cell_of_point[p]];
   }
 
 private:
@@ -189,7 +181,7 @@ private:
         kept.push_back(i);
     const Grid_cells cells = grid_cells(
       kept.size(), [&](std::size_t k) { return clean.positions[kept[k]]; },
-      levels_.front().cell_size());
+      grid_.levels.front().grid.cell_size());
     noise_ = clean.noise;
     patch_of_component_.assign(components.size(), none);
     std::vector<std::vector<std::size_t>> members(cells.size);
@@ -330,8 +322,7 @@ private:
   }
 
   Surface_quotient_options options_;
-  std::vector<Grid_level> levels_;
-  std::vector<std::uint16_t> component_of_point_; ///< Of the first level. Empty of streamed points.
+  Grid_mixture grid_;
   std::vector<std::size_t> patch_of_component_;   ///< `none` for outliers.
   std::vector<std::size_t> vertex_of_component_;  ///< `none` for outliers.
   double noise_ = 0;                            ///< In [0, 1].

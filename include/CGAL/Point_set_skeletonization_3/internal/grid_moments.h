@@ -6,8 +6,8 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Point_blocks.h>
+#include <CGAL/Point_set_skeletonization_3/internal/cubic_grid.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
-#include <CGAL/Point_set_skeletonization_3/internal/radix_sort.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -55,403 +55,339 @@ struct Grid_options
   }
 };
 
-/// A cell of a cubic grid around the origin, by its lower corner in units of its edge length.
-using Grid_cell = std::array<std::int32_t, 3>;
-
-/// Bits of a cell's place on an axis: normalised coordinates lie between -1 and 1, and the finest
-/// cells are 1/4096 wide, which is finer than any patch.
-constexpr int finest_level = 12;
-constexpr int axis_bits = finest_level + 2;
-
-/// The cell with `p` in it, of edge length 2^-level.
-inline Grid_cell grid_cell_of(const Vector3& p, int level)
-{
-  Grid_cell cell;
-  for(int k = 0; k < 3; ++k) {
-    const double x = p[k] * (1 << level);
-    const auto truncated = static_cast<std::int32_t>(x);
-    cell[static_cast<std::size_t>(k)] = truncated - (x < truncated ? 1 : 0); // floor() is a call
-  }
-  return cell;
-}
-
-/// A cell as a number; the numbers are in lexicographic order.
-inline std::uint64_t packed(const Grid_cell& cell)
-{
-  std::uint64_t result = 0;
-  for(std::int32_t i : cell)
-    result = result << axis_bits | static_cast<std::uint64_t>(i + (1 << (axis_bits - 1)));
-  return result;
-}
-
-inline Grid_cell unpacked(std::uint64_t code)
-{
-  Grid_cell cell;
-  for(std::size_t k = 3; k-- > 0; code >>= axis_bits)
-    cell[k] = static_cast<std::int32_t>(code & ((1 << axis_bits) - 1)) - (1 << (axis_bits - 1));
-  return cell;
-}
-
-/// The place of a cell on a Morton curve: three bits less make that of the cell around it that is
-/// twice as wide. The bits of the three axes alternate.
-inline std::uint64_t morton_code(const Grid_cell& cell)
-{
-  std::uint64_t result = 0;
-  for(std::int32_t i : cell) {
-    auto x = static_cast<std::uint64_t>(i + (1 << (axis_bits - 1)));
-    x = (x | x << 16) & 0x001F0000FF0000FFu;
-    x = (x | x << 8) & 0x100F00F00F00F00Fu;
-    x = (x | x << 4) & 0x10C30C30C30C30C3u;
-    x = (x | x << 2) & 0x1249249249249249u;
-    result = result << 1 | x;
-  }
-  return result;
-}
-
-/// The cell of edge length 2^-level at a place on a Morton curve.
-inline Grid_cell cell_of_morton_code(std::uint64_t code, int level)
-{
-  Grid_cell cell;
-  for(std::size_t k = 3; k-- > 0; code >>= 1) {
-    std::uint64_t x = code & 0x1249249249249249u;
-    x = (x | x >> 2) & 0x10C30C30C30C30C3u;
-    x = (x | x >> 4) & 0x100F00F00F00F00Fu;
-    x = (x | x >> 8) & 0x001F0000FF0000FFu;
-    x = (x | x >> 16) & 0xFFFFu;
-    cell[k] = static_cast<std::int32_t>(x) - (1 << (axis_bits - 1 + level - finest_level));
-  }
-  return cell;
-}
-
-/// A key with the index of what it belongs to, so that sorting keys sorts indices; the key of a cell
-/// leaves 22 bits.
-constexpr int index_bits = 64 - 3 * axis_bits;
-
-inline std::uint64_t with_index(std::uint64_t key, std::size_t index)
-{
-  return key << index_bits | index;
-}
-
-inline std::size_t index_of(std::uint64_t key_with_index)
-{
-  return key_with_index & ((std::uint64_t(1) << index_bits) - 1);
-}
-
-/// How many different numbers the sorted keys without their last bits are. \pre there is a key
-inline std::size_t number_of_different(const std::vector<std::uint64_t>& keys, int bits)
-{
-  std::size_t result = 1;
-  for(std::size_t k = 1; k < keys.size(); ++k)
-    result += keys[k - 1] >> bits != keys[k] >> bits ? 1 : 0;
-  return result;
-}
-
-/// A level of a grid mixture: what the cells hold and how large they are.
-struct Grid_level
-{
-  Gaussians gaussians;
-  std::vector<std::uint64_t> cells; ///< Of every Gaussian, packed; ascending if merged.
-  int fine_level = 0;               ///< The grid was made with cells 2^-fine_level wide, ...
-  std::int32_t factor = 1;          ///< ... these are that many times wider.
-
-  /// Edge length of a cell, in units of the bounding box diagonal.
-  double cell_size() const { return std::ldexp(1.0, -fine_level) * factor; }
-
-  /// The cell that holds a cell, `factor` times as wide: rounds towards minus infinity.
-  static Grid_cell merged(Grid_cell cell, std::int32_t factor)
-  {
-    for(std::int32_t& c : cell)
-      c = c >= 0 ? c / factor : -((-c + factor - 1) / factor);
-    return cell;
-  }
-
-  /// Index of the Gaussian that holds the moments of `p`. \pre `p` is one of the points
-  std::size_t cell_index(const Vector3& p) const
-  {
-    const std::uint64_t cell = packed(merged(grid_cell_of(p, fine_level), factor));
-    return static_cast<std::size_t>(std::lower_bound(cells.begin(), cells.end(), cell) -
-                                    cells.begin());
-  }
-};
-
-/// A cubic grid of cells that hold the exact moments of their points.
-///
-/// Its resolution is the finest at which it holds no more than a bounded number of cells, and so
-/// depends on the set of points only. Grids of parts of the points add up to the grid of all.
-class Moment_grid
+/// The points of a cell: their number and their first and second moments about its centre.
+class Cell_moments
 {
 public:
-  explicit Moment_grid(std::size_t maximum_cells) : maximum_cells_(maximum_cells) {}
-
-  /// The grid of a block of points. \pre `0 < size < 2^index_bits`
-  Moment_grid(const Vector3* points, std::size_t size, std::size_t maximum_cells)
-    : maximum_cells_(maximum_cells)
+  /// Adds a point that lies `d` from the centre.
+  void add(const Vector3& d)
   {
-    std::vector<std::uint64_t> keys;
-    keys.reserve(size);
-    for(std::size_t i = 0; i < size; ++i)
-      keys.push_back(with_index(morton_code(grid_cell_of(points[i], finest_level)), i));
-    radix_sort(keys, index_bits);
-
-    int bits = index_bits;
-    while(level_ > 0 && number_of_different(keys, bits) > maximum_cells_) {
-      bits += 3;
-      --level_;
-    }
-    cells_.reserve(number_of_different(keys, bits));
-    for(std::size_t k = 0; k < keys.size();) {
-      const std::uint64_t code = keys[k] >> bits;
-      Moments moments(points[index_of(keys[k])]);
-      for(; k < keys.size() && keys[k] >> bits == code; ++k)
-        moments.add(1, points[index_of(keys[k])]);
-      cells_.push_back({code, moments.gaussian()});
-    }
+    weight_ += 1;
+    first_ += d;
+    add_second({{d[0] * d[0], d[0] * d[1], d[0] * d[2], d[1] * d[1], d[1] * d[2], d[2] * d[2]}});
   }
 
-  std::size_t size() const { return cells_.size(); }
-
-  void add(Moment_grid other)
+  /// Adds the points of a cell whose centre lies `d` from this one's.
+  void add(const Cell_moments& other, const Vector3& d)
   {
-    coarsen_to(other.level_);
-    other.coarsen_to(level_);
-    unite(other.cells_);
-    while(level_ > 0 && size() > maximum_cells_)
-      coarsen_to(level_ - 1);
+    const Vector3 &f = other.first_, g = f + other.weight_ * d;
+    add_second(other.second_);
+    add_second({{d[0] * f[0] + g[0] * d[0], d[0] * f[1] + g[0] * d[1], d[0] * f[2] + g[0] * d[2],
+                 d[1] * f[1] + g[1] * d[1], d[1] * f[2] + g[1] * d[2], d[2] * f[2] + g[2] * d[2]}});
+    weight_ += other.weight_;
+    first_ += g;
   }
 
-  /// Its cells, along a Morton curve.
-  Grid_level level() const
+  double weight() const { return weight_; }
+
+  /// \pre there is a point
+  Gaussian gaussian(const Vector3& center) const
   {
-    Grid_level result;
-    result.fine_level = level_;
-    for(const Item& item : cells_) {
-      result.cells.push_back(packed(cell_of_morton_code(item.code, level_)));
-      result.gaussians.push_back(item.gaussian);
-    }
-    return result;
+    const Vector3 d = first_ / weight_;
+    Matrix3 second;
+    second << second_[0], second_[1], second_[2], second_[1], second_[3], second_[4], second_[2],
+      second_[4], second_[5];
+    return {weight_, center + d, second / weight_ - d * d.transpose()};
   }
 
 private:
-  struct Item
+  void add_second(const std::array<double, 6>& second)
   {
-    std::uint64_t code;
-    Gaussian gaussian;
-  };
-
-  void coarsen_to(int level)
-  {
-    if(level < level_) {
-      unite(3 * (level_ - level));
-      level_ = level;
-    }
+    for(std::size_t k = 0; k < 6; ++k)
+      second_[k] += second[k];
   }
 
-  /// Adds cells of the same level. No more memory than the union needs: of many points drawn at
-  /// random all blocks have nearly the same cells.
-  void unite(const std::vector<Item>& others)
-  {
-    std::size_t size = 0;
-    for_each_cell(others, [&](const Item*, const Item*) { ++size; });
-    std::vector<Item> both;
-    both.reserve(size);
-    for_each_cell(others, [&](const Item* mine, const Item* other) {
-      both.push_back(mine != nullptr ? *mine : *other);
-      if(mine == nullptr || other == nullptr)
-        return;
-      Moments moments(mine->gaussian.mean);
-      moments.add(mine->gaussian);
-      moments.add(other->gaussian);
-      both.back().gaussian = moments.gaussian();
-    });
-    cells_.swap(both);
-  }
-
-  /// Calls `visit(mine, other)` for the cells of both in order, with a null for one that is missing.
-  template <typename Visit>
-  void for_each_cell(const std::vector<Item>& others, const Visit& visit) const
-  {
-    auto mine = cells_.begin();
-    auto other = others.begin();
-    while(mine != cells_.end() || other != others.end()) {
-      const bool has_mine = other == others.end() ||
-                            (mine != cells_.end() && mine->code <= other->code);
-      const bool has_other = mine == cells_.end() ||
-                             (other != others.end() && other->code <= mine->code);
-      visit(has_mine ? &*mine : nullptr, has_other ? &*other : nullptr);
-      mine += has_mine;
-      other += has_other;
-    }
-  }
-
-  /// Takes the last bits off the codes and makes one of the cells with the same code.
-  void unite(int bits)
-  {
-    std::size_t united = 0;
-    for(std::size_t k = 0; k < cells_.size();) {
-      const std::uint64_t code = cells_[k].code >> bits;
-      const std::size_t first = k++;
-      Gaussian gaussian = cells_[first].gaussian;
-      if(k < cells_.size() && cells_[k].code >> bits == code) {
-        Moments moments(gaussian.mean);
-        moments.add(gaussian);
-        for(; k < cells_.size() && cells_[k].code >> bits == code; ++k)
-          moments.add(cells_[k].gaussian);
-        gaussian = moments.gaussian();
-      }
-      cells_[united++] = {code, gaussian};
-    }
-    cells_.resize(united);
-  }
-
-  std::size_t maximum_cells_;
-  int level_ = finest_level;
-  std::vector<Item> cells_; ///< Ascending.
+  double weight_ = 0;
+  Vector3 first_ = Vector3::Zero();
+  std::array<double, 6> second_{{0, 0, 0, 0, 0, 0}}; ///< Upper triangle.
 };
 
-/// Moments of points that come one after the other; the same bits as `fine_grid()` of all of them:
-/// both add up the grids of the same blocks.
-class Moment_stream
+/// Which cells of a grid are occupied.
+class Occupied_cells
 {
 public:
-  explicit Moment_stream(std::size_t maximum_cells)
-    : maximum_cells_(maximum_cells), blocks_(maximum_cells)
-  {}
+  std::size_t size() const { return set_.size(); }
 
-  std::size_t size() const { return size_; }
+  /// The cells, packed.
+  std::vector<std::uint64_t> cells() const { return set_.cells(); }
+
+  void add(const Cubic_grid&, const Grid_cell& cell, const Vector3&) { set_.insert(cell); }
+
+  /// Adds the cells of `fine`, which is as fine as the grid of this one or finer.
+  void add(const Cubic_grid& grid, const Occupied_cells& other, const Cubic_grid& fine)
+  {
+    set_.insert_around(other.cells(), grid.around(fine));
+  }
+
+private:
+  Cell_set set_;
+};
+
+/// The moments of the points in the cells of a grid.
+class Moment_cells
+{
+public:
+  Moment_cells() = default;
+
+  /// Numbers different cells as they come; there is nothing in them.
+  explicit Moment_cells(const std::vector<std::uint64_t>& cells)
+    : index_(cells.size()), moments_(cells.size())
+  {
+    for(std::uint64_t cell : cells)
+      index_.insert(cell);
+  }
+
+  std::size_t size() const { return index_.size(); }
+
+  /// The place of a cell and its moments in the following. \pre it is one of them
+  std::size_t number(const Grid_cell& cell) const { return index_[packed(cell)]; }
+
+  /// The cells, packed, and their moments, in the same order.
+  const std::vector<std::uint64_t>& cells() const { return index_.cells(); }
+  const std::vector<Cell_moments>& moments() const { return moments_; }
+
+  void add(const Cubic_grid& grid, const Grid_cell& cell, const Vector3& p)
+  {
+    moments_[inserted(cell)].add(p - grid.center(cell));
+  }
+
+  /// Adds moments about the same centres, in the same order.
+  void add(const std::vector<Cell_moments>& others)
+  {
+    for(std::size_t i = 0; i < others.size(); ++i)
+      moments_[i].add(others[i], Vector3::Zero());
+  }
+
+  /// Adds the moments in `fine`, which is as fine as the grid of this one or finer; which is exact.
+  void add(const Cubic_grid& grid, const Moment_cells& other, const Cubic_grid& fine)
+  {
+    const Cell_around around = grid.around(fine);
+    for(std::size_t i = 0; i < other.size(); ++i) {
+      const Grid_cell part = unpacked(other.cells()[i]), cell = around(part);
+      moments_[inserted(cell)].add(other.moments_[i], fine.center(part) - grid.center(cell));
+    }
+  }
+
+private:
+  /// The number of a cell, which may be new.
+  std::size_t inserted(const Grid_cell& cell)
+  {
+    const std::size_t i = index_.insert(packed(cell));
+    if(i == moments_.size())
+      moments_.emplace_back();
+    return i;
+  }
+
+  Cell_index index_;
+  std::vector<Cell_moments> moments_;
+};
+
+/// The cells of points, `Occupied_cells` or `Moment_cells`, in the finest cubic grid that has no more
+/// than a bounded number of them; it depends on the set of points only. Grids of parts of the points
+/// add up to the grid of all.
+template <typename Cells>
+class Fine_grid
+{
+public:
+  explicit Fine_grid(std::size_t maximum_cells) : maximum_cells_(maximum_cells) {}
+
+  const Cubic_grid& grid() const { return grid_; }
+  const Cells& cells() const { return cells_; }
 
   void add(const Vector3& p)
   {
-    block_.push_back(p);
-    ++size_;
-    if(block_.size() < Point_blocks::block_size)
-      return;
-    blocks_.add(Moment_grid(block_.data(), block_.size(), maximum_cells_));
-    block_.clear();
+    cells_.add(grid_, cell_of_(p), p);
+    limit();
   }
 
-  void add(const Moment_stream& other)
+  void add(const Fine_grid& other)
   {
-    blocks_.add(other.grid());
-    size_ += other.size_;
-  }
-
-  Moment_grid grid() const
-  {
-    Moment_grid result = blocks_;
-    if(!block_.empty())
-      result.add(Moment_grid(block_.data(), block_.size(), maximum_cells_));
-    return result;
+    coarsen_to(std::min(grid_.level, other.grid_.level));
+    cells_.add(grid_, other.cells_, other.grid_);
+    limit();
   }
 
 private:
-  std::size_t maximum_cells_;
-  std::size_t size_ = 0;
-  Moment_grid blocks_;
-  std::vector<Vector3> block_; ///< Points since the last full block.
-};
-
-/// Moments of points in a fine grid. The grids of blocks are added in order: so sums are the same to
-/// the last bit for any number of threads.
-template <typename ConcurrencyTag>
-Moment_grid fine_grid(const Point_blocks& points, std::size_t maximum_cells)
-{
-  // Blocks whose grids are in memory; to eight threads a block each.
-  constexpr std::size_t at_once = std::is_convertible<ConcurrencyTag, Parallel_tag>::value ? 8 : 1;
-  Moment_grid result(maximum_cells);
-  for(std::size_t begin = 0; begin < points.number_of_blocks(); begin += at_once) {
-    std::vector<Moment_grid> grids(std::min(at_once, points.number_of_blocks() - begin),
-                                   Moment_grid(maximum_cells));
-    parallel_for<ConcurrencyTag>(grids.size(), [&](std::size_t k) {
-      const std::vector<Vector3> block = points.block(begin + k);
-      grids[k] = Moment_grid(block.data(), block.size(), maximum_cells);
-    });
-    for(Moment_grid& grid : grids)
-      result.add(std::move(grid));
-  }
-  return result;
-}
-
-/// The cells of a fine grid, from which all levels are merged.
-struct Fine_cells
-{
-  explicit Fine_cells(const Moment_grid& grid) : level(grid.level()) {}
-
-  /// A cell's weight is a number of points, and exact.
-  std::size_t number_of_points() const
+  /// The cells around the origin stay apart however wide they are, and there are no more than eight.
+  void limit()
   {
-    double sum = 0;
-    for(const Gaussian& g : level.gaussians)
-      sum += g.weight;
-    return static_cast<std::size_t>(sum);
+    while(cells_.size() > maximum_cells_)
+      coarsen_to(grid_.level - 1);
   }
 
-  Grid_level level; ///< Its cells along a Morton curve.
+  void coarsen_to(int level)
+  {
+    if(level == grid_.level)
+      return;
+    const Cubic_grid fine = std::exchange(grid_, {level, 1});
+    const Cells fine_cells = std::exchange(cells_, Cells());
+    cells_.add(grid_, fine_cells, fine);
+    cell_of_ = Cell_of_point(grid_);
+  }
+
+  std::size_t maximum_cells_;
+  Cubic_grid grid_;
+  Cell_of_point cell_of_{grid_};
+  Cells cells_;
 };
 
-/// The cells around those of `fine`, `factor` times as wide, with the indices of these; sorted.
-inline std::vector<std::uint64_t> cells_around(const Grid_level& fine, std::int32_t factor)
+using Moment_grid = Fine_grid<Moment_cells>;
+
+/// A level of a grid mixture: its cells, in ascending order, and the moments of their points.
+struct Grid_level
 {
-  std::vector<std::uint64_t> result;
-  result.reserve(fine.cells.size());
-  for(std::uint64_t cell : fine.cells)
-    result.push_back(
-      with_index(packed(Grid_level::merged(unpacked(cell), factor)), result.size()));
-  radix_sort(result, index_bits);
+  Cubic_grid grid;
+  Moment_cells cells;
+
+  Gaussians gaussians() const
+  {
+    Gaussians result;
+    result.reserve(cells.size());
+    for(std::size_t i = 0; i < cells.size(); ++i)
+      result.push_back(cells.moments()[i].gaussian(grid.center(unpacked(cells.cells()[i]))));
+    return result;
+  }
+};
+
+/// Parts into which a large cloud is split: there is work for eight threads.
+constexpr std::size_t cloud_parts = 8;
+
+/// The occupied cells of the fine grid of a cloud.
+template <typename ConcurrencyTag>
+Fine_grid<Occupied_cells> occupied_cells(const Point_blocks& points, std::size_t maximum_cells)
+{
+  constexpr bool parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
+  std::vector<Fine_grid<Occupied_cells>> parts(parallel ? cloud_parts : 1,
+                                               Fine_grid<Occupied_cells>(maximum_cells));
+  parallel_for<ConcurrencyTag>(parts.size(), [&](std::size_t k) {
+    points.visit_part(k, parts.size(), [&](std::size_t, const Vector3& p) { parts[k].add(p); });
+  });
+  for(std::size_t k = 1; k < parts.size(); ++k)
+    parts.front().add(parts[k]);
+  return std::move(parts.front());
+}
+
+/// The finest grid with at most `wanted` cells around those of a finer grid: the wider cells are, the
+/// fewer.
+inline Cubic_grid patch_grid(const std::vector<std::uint64_t>& cells, const Cubic_grid& fine,
+                             std::size_t wanted)
+{
+  if(cells.size() <= wanted)
+    return fine;
+  Cell_set around;
+  const auto too_many = [&](std::int32_t factor) {
+    around.clear();
+    around.insert_around(cells, Cell_around(factor));
+    return around.size() > wanted;
+  };
+  std::int32_t narrow = 1, wide = 2;
+  for(; too_many(wide); wide *= 2)
+    narrow = wide;
+  while(wide - narrow > 1) {
+    const std::int32_t middle = (narrow + wide) / 2;
+    (too_many(middle) ? narrow : wide) = middle;
+  }
+  return fine.coarsened(wide);
+}
+
+/// The level of `grid`, around `cells` of a finer grid, without moments.
+inline Grid_level empty_level(const Cubic_grid& grid, const std::vector<std::uint64_t>& cells,
+                              const Cubic_grid& fine)
+{
+  Cell_set set;
+  set.insert_around(cells, grid.around(fine));
+  std::vector<std::uint64_t> around = set.cells();
+  std::sort(around.begin(), around.end());
+  return {grid, Moment_cells(around)};
+}
+
+/// The level of `grid` with the moments in the cells of a finer grid.
+inline Grid_level coarser_level(const Cubic_grid& grid, const Moment_cells& cells,
+                                const Cubic_grid& fine)
+{
+  Grid_level result = empty_level(grid, cells.cells(), fine);
+  result.cells.add(grid, cells, fine);
   return result;
 }
 
-/// The cells of `fine` merged into cells `factor` times as wide; merging moments is exact.
-inline Grid_level merged_cells(const Grid_level& fine, std::int32_t factor)
-{
-  Grid_level level;
-  level.fine_level = fine.fine_level;
-  level.factor = fine.factor * factor;
-  const std::vector<std::uint64_t> keys = cells_around(fine, factor);
-  for(std::size_t k = 0; k < keys.size();) {
-    const std::uint64_t cell = keys[k] >> index_bits;
-    Moments moments(fine.gaussians[index_of(keys[k])].mean);
-    for(; k < keys.size() && keys[k] >> index_bits == cell; ++k)
-      moments.add(fine.gaussians[index_of(keys[k])]);
-    level.cells.push_back(cell);
-    level.gaussians.push_back(moments.gaussian());
-  }
-  return level;
-}
-
-/// The mixture whose components are the occupied cells of a grid, with the exact moments of their
-/// points; the first level is the finest grid with at most `options.patches()` cells, every next one
-/// has cells twice as wide.
-inline std::vector<Grid_level> grid_levels(const Fine_cells& fine, const Grid_options& options,
-                                           std::size_t number_of_levels)
-{
-  std::vector<Grid_level> levels;
-  std::size_t size = fine.level.cells.size();
-  if(size == 0)
-    return levels;
-
-  const std::size_t wanted = options.patches(fine.number_of_points());
-  std::int32_t factor = 1;
-  while(size > wanted) {
-    // Occupied cells of a surface fall with the square of their width: step towards the aim, by
-    // at least one and never past it.
-    const double excess = std::sqrt(static_cast<double>(size) / static_cast<double>(wanted));
-    factor = std::max(factor + 1, static_cast<std::int32_t>(factor * std::sqrt(excess)));
-    size = number_of_different(cells_around(fine.level, factor), index_bits);
-  }
-  levels.push_back(merged_cells(fine.level, factor));
-  while(levels.size() < number_of_levels)
-    levels.push_back(merged_cells(levels.back(), 2));
-  return levels;
-}
-
-/// The mixture of `points`: see `grid_levels()`.
+/// Adds the points to the cells of `level`, and tells the cell of every point.
 template <typename ConcurrencyTag>
-std::vector<Grid_level> grid_moments(const Point_blocks& points, const Grid_options& options,
-                                     std::size_t number_of_levels)
+std::vector<std::uint16_t> add_points(const Point_blocks& points, Grid_level& level)
+{
+  // The moments of parts are added up in order: the bits do not depend on the number of threads.
+  constexpr std::size_t worth_a_part = 1 << 15; // several times as many points as cells
+  std::vector<std::vector<Cell_moments>> parts(
+    std::min(cloud_parts, 1 + points.size() / worth_a_part));
+  std::vector<std::uint16_t> cell_of_point(points.size());
+  const Cell_of_point cell_of(level.grid);
+  parallel_for<ConcurrencyTag>(parts.size(), [&](std::size_t k) {
+    parts[k].resize(level.cells.size());
+    points.visit_part(k, parts.size(), [&](std::size_t i, const Vector3& p) {
+      const Grid_cell cell = cell_of(p);
+      const std::size_t number = level.cells.number(cell);
+      parts[k][number].add(p - level.grid.center(cell));
+      cell_of_point[i] = static_cast<std::uint16_t>(number);
+    });
+  });
+  for(const std::vector<Cell_moments>& part : parts)
+    level.cells.add(part);
+  return cell_of_point;
+}
+
+/// A mixture whose components are the occupied cells of a grid, with the exact moments of their
+/// points.
+struct Grid_mixture
+{
+  /// The first level is the finest grid with at most `options.patches()` cells, every next one has
+  /// cells twice as wide. None of no points.
+  std::vector<Grid_level> levels;
+
+  /// The cell of every point in the first level; empty of points that were streamed.
+  std::vector<std::uint16_t> cell_of_point;
+
+  void add_coarser_levels(std::size_t number_of_levels)
+  {
+    while(levels.size() < number_of_levels) {
+      const Grid_level& fine = levels.back();
+      levels.push_back(coarser_level(fine.grid.coarsened(2), fine.cells, fine.grid));
+    }
+  }
+};
+
+/// The mixture of `points`, which are read twice: for the width of the cells and for their moments.
+template <typename ConcurrencyTag>
+Grid_mixture grid_moments(const Point_blocks& points, const Grid_options& options,
+                          std::size_t number_of_levels)
 {
   options.check();
-  const Fine_cells fine(fine_grid<ConcurrencyTag>(points, options.maximum_fine_cells()));
-  return grid_levels(fine, options, number_of_levels);
+  Grid_mixture result;
+  if(points.size() == 0)
+    return result;
+  const auto fine = occupied_cells<ConcurrencyTag>(points, options.maximum_fine_cells());
+  const std::vector<std::uint64_t> cells = fine.cells().cells();
+  const Cubic_grid grid = patch_grid(cells, fine.grid(), options.patches(points.size()));
+  result.levels.push_back(empty_level(grid, cells, fine.grid()));
+  result.cell_of_point = add_points<ConcurrencyTag>(points, result.levels.front());
+  result.add_coarser_levels(number_of_levels);
+  return result;
+}
+
+/// The mixture of points that were streamed.
+inline Grid_mixture grid_moments(const Moment_grid& fine, const Grid_options& options,
+                                 std::size_t number_of_levels)
+{
+  options.check();
+  double points = 0; // exact
+  for(const Cell_moments& moments : fine.cells().moments())
+    points += moments.weight();
+  Grid_mixture result;
+  if(!(points > 0))
+    return result;
+  const Cubic_grid grid = patch_grid(fine.cells().cells(), fine.grid(),
+                                     options.patches(static_cast<std::size_t>(points)));
+  result.levels.push_back(coarser_level(grid, fine.cells(), fine.grid()));
+  result.add_coarser_levels(number_of_levels);
+  return result;
 }
 
 } // namespace internal
