@@ -41,8 +41,7 @@ public:
     : patches(surface_patches<ConcurrencyTag>(gaussians)), spacing(median_spacing(patches))
   {
     orient_patches(patches);
-    settle_orientation<ConcurrencyTag>(patches);
-    winding_number = std::make_unique<Winding_number>(patches);
+    winding_number = settle_orientation<ConcurrencyTag>(patches);
     confidence = orientation_confidence(patches);
     part_facing_patches(patches, confidence);
 

@@ -153,7 +153,8 @@ std::vector<Sample> medial_samples(const std::vector<Patch>& patches,
     s.kernel_radius = options.kernel_ratio * std::max(ball_radii[i], patches[i].spacing / 2);
     const Vector3 center = patches[i].mean - ball_radii[i] * patches[i].normal;
     // Else the normal points the wrong way: let the projection find the way in.
-    if(confidence[i] >= trusted_orientation && winding_number(center) >= least_inside)
+    s.inside = confidence[i] >= trusted_orientation && winding_number(center) >= least_inside;
+    if(s.inside)
       s.position = center;
   });
   return samples;
@@ -171,7 +172,7 @@ void bring_back_lost_samples(std::vector<Sample>& samples, const std::vector<Pat
   parallel_for<ConcurrencyTag>(samples.size(), [&](std::size_t i) {
     Sample& sample = samples[i];
     if((sample.position - sample.origin).norm() > reach * sample.radius + patches[i].spacing ||
-       winding_number(sample.position) < least_inside) {
+       (!sample.inside && winding_number(sample.position) < least_inside)) {
       sample.position = sample.origin;
       sample.radius = 0;
     }
@@ -204,6 +205,7 @@ Projection_outcome project_samples(std::vector<Sample>& samples, const Oriented_
                  clearance < options.least_clearance * s.radius;
       if(clearance >= options.least_clearance * s.radius) {
         s.position = moved;
+        s.inside = false;
         s.radius = std::max(s.radius, clearance);
       }
     });

@@ -21,6 +21,7 @@ struct Sample
   double kernel_radius = 0;
   double radius = 0;
   bool frozen = false;
+  bool inside = false; ///< Known to be in the shape where it is.
 };
 
 /// How a projection ended.
