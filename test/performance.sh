@@ -26,8 +26,8 @@ status_of() { # status_of METHOD THREADS: of its total in table.csv
 accepts closed.off --points 500 --large 700 --runs 2 --csv table.csv
 check "what is asked for, at the end" grep -q "one thread / two threads" out
 check "the shares of the stages" grep -q "linking%" out
-check "a row of every method and size" test "$(grep -c ',total,2,' table.csv)" = 11
-for method in "alpha wrap + MCF" WLOP "Kd_tree 16-NN" "l1_medial stream"; do
+check "a row of every method and size" test "$(grep -c ',total,2,' table.csv)" = 12
+for method in "alpha wrap + MCF" WLOP "Kd_tree 16-NN" "l1_medial stream" "l1_medial bare"; do
   check "$method is there" grep -q "$method,1,total" table.csv
 done
 check "one thread" test "$(status_of l1_medial 1 | sort -u)" = ok

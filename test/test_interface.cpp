@@ -15,9 +15,12 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
 
+#include <boost/graph/adjacency_list.hpp>
 #include <boost/range/irange.hpp>
+#include <boost/range/iterator_range.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -56,6 +59,21 @@ Skeleton skeleton_of(const Range& range, const NamedParameters& np)
   check_valid(skeleton, cloud().size());
   return skeleton;
 }
+
+// What a vertex of a graph of one's own may be.
+struct Bare_vertex
+{
+  Kernel::Point_3 point{0, 0, 0};
+  double radius = 0;
+};
+
+struct Narrow_vertex : Bare_vertex
+{
+  std::vector<std::uint16_t> indices;
+};
+
+template <typename Vertex>
+using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Vertex>;
 
 const Skeleton& expected()
 {
@@ -106,6 +124,28 @@ TEST_CASE("An output that is not empty is replaced")
   add_edge(3, 4, skeleton);
   CHECK(CGAL::extract_l1_medial_skeleton(cloud(), skeleton));
   CHECK(have_same_bits(skeleton, expected()));
+}
+
+TEST_CASE("A graph whose vertices have no indices, or narrow ones")
+{
+  Graph<Bare_vertex> bare;
+  Graph<Narrow_vertex> narrow;
+  REQUIRE(CGAL::extract_l1_medial_skeleton(cloud(), bare));
+  REQUIRE(CGAL::extract_l1_medial_skeleton(cloud(), narrow));
+  Skeleton from_bare(num_vertices(bare)), from_narrow(num_vertices(narrow));
+  REQUIRE(num_vertices(bare) == num_vertices(expected()));
+  REQUIRE(num_vertices(narrow) == num_vertices(expected()));
+  for(const auto v : boost::make_iterator_range(vertices(expected()))) {
+    from_bare[v] = {bare[v].point, bare[v].radius, expected()[v].indices};
+    from_narrow[v] = {narrow[v].point, narrow[v].radius,
+                      {narrow[v].indices.begin(), narrow[v].indices.end()}};
+  }
+  for(const auto e : boost::make_iterator_range(edges(bare)))
+    add_edge(source(e, bare), target(e, bare), from_bare);
+  for(const auto e : boost::make_iterator_range(edges(narrow)))
+    add_edge(source(e, narrow), target(e, narrow), from_narrow);
+  CHECK(have_same_bits(from_bare, expected()));
+  CHECK(have_same_bits(from_narrow, expected()));
 }
 
 TEST_CASE("Named parameters chain, the package's own in front")

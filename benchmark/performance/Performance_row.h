@@ -38,6 +38,7 @@ private:
 namespace method_names {
 
 inline const std::string ours = "l1_medial";
+inline const std::string bare = "l1_medial bare"; ///< its vertices have no indices
 inline const std::string streamed = "l1_medial stream";
 inline const std::string flow = "MCF of mesh";
 inline const std::string wrap_and_flow = "alpha wrap + MCF";

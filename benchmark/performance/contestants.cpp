@@ -14,6 +14,8 @@
 #include <CGAL/spatial_sort.h>
 #include <CGAL/wlop_simplify_and_regularize_point_set.h>
 
+#include <boost/graph/adjacency_list.hpp>
+
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #endif
@@ -24,7 +26,17 @@
 
 namespace {
 
-template <typename ConcurrencyTag, typename Points>
+struct Bare_vertex
+{
+  Point point{0, 0, 0};
+  double radius = 0;
+};
+
+/// A skeleton whose vertices do not know their points.
+using Bare_skeleton =
+    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Bare_vertex>;
+
+template <typename ConcurrencyTag, typename Graph = Skeleton, typename Points>
 void skeletonize(const Points& points, Stopwatch& stopwatch)
 {
   using Skeletonization = CGAL::L1_medial_skeletonization_3<Kernel, ConcurrencyTag>;
@@ -33,7 +45,7 @@ void skeletonize(const Points& points, Stopwatch& stopwatch)
   stopwatch.stage("mixture", [&] { steps->fit_mixture(); });
   stopwatch.stage("projection", [&] { steps->project(); });
   stopwatch.stage("linking", [&] { steps->link(); });
-  Skeleton skeleton;
+  Graph skeleton;
   stopwatch.stage("skeleton", [&] { steps->extract_skeleton(skeleton); });
 }
 
@@ -59,6 +71,11 @@ void skeletonize_points(const std::vector<Point>& points, std::size_t threads,
 #else
   throw std::runtime_error("built without TBB");
 #endif
+}
+
+void skeletonize_bare(const std::vector<Point>& points, Stopwatch& stopwatch)
+{
+  skeletonize<CGAL::Sequential_tag, Bare_skeleton>(points, stopwatch);
 }
 
 void skeletonize_stream(const std::string& file, Stopwatch& stopwatch)

@@ -18,6 +18,9 @@
 void skeletonize_points(const std::vector<Point>& points, std::size_t threads,
                         Stopwatch& stopwatch);
 
+/// To a graph whose vertices do not know the points they stand for: these take most of the memory.
+void skeletonize_bare(const std::vector<Point>& points, Stopwatch& stopwatch);
+
 /// Reads the file twice: reading is part of it.
 void skeletonize_stream(const std::string& file, Stopwatch& stopwatch);
 

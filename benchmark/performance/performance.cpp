@@ -200,6 +200,8 @@ void run_large(Contest& contest, const std::string& file, std::size_t size)
   }
   const std::vector<Point> points = sampled(file, size);
   run_ours(contest, name_of(file), points);
+  contest.run(name_of(file), size, method_names::bare,
+              [&](Stopwatch& stopwatch) { skeletonize_bare(points, stopwatch); });
   run_rivals_on_points(contest, name_of(file), points);
 }
 

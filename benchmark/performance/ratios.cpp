@@ -71,6 +71,8 @@ std::vector<Ratio> ratios_of(const Rows& rows, const Performance_row& ours)
   if(is_huge) {
     const double input = static_cast<double>(ours.points * sizeof(Point)) / mebibyte;
     add("memory beyond input / input", ours.measured.extra_memory / input, 0.25, true);
+    add("the same without indices",
+        find(rows, ours, method_names::bare).measured.extra_memory / input, 0.25, true);
     add("peak memory of stream, MiB",
         find(rows, ours, method_names::streamed).measured.peak_memory, 200, true);
   }

@@ -161,8 +161,9 @@ public:
   std::size_t number_of_outliers() const { return stages_->number_of_outliers; }
 
   /// Replaces `skeleton` by the result of step 3.
-  /// \tparam SkeletonGraph `Skeleton`, or a BGL adjacency list whose vertex bundle has `.point`,
-  ///         `.radius` and `.indices`
+  /// \tparam SkeletonGraph `Skeleton`, or a BGL adjacency list whose vertex bundle has `.point` and
+  ///         `.radius`. It may have `.indices`, a vector of integers; without, or with narrow ones, a
+  ///         large cloud takes far less memory.
   /// \pre `link()` returned `true`
   template <typename SkeletonGraph>
   void extract_skeleton(SkeletonGraph& skeleton) const

@@ -14,7 +14,8 @@ namespace CGAL {
 ///         `Parallel_if_available_tag`; the result is the same, bit for bit
 /// \tparam PointRange a model of `ConstRange`; it is never changed, nor copied by default
 /// \tparam Skeleton `Curve_skeleton_3<Traits>`, or a BGL adjacency list whose vertex bundle has
-///         `.point`, `.radius` and `.indices`
+///         `.point` and `.radius`. It may have `.indices`, a vector of integers; without, or with
+///         narrow ones, a large cloud takes far less memory.
 /// \tparam NamedParameters a sequence of named parameters
 ///
 /// \param points the points, in any unit and at any offset. None gives an empty skeleton, a single

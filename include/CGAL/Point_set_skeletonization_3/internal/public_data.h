@@ -14,6 +14,7 @@
 #include <boost/graph/adjacency_list.hpp>
 
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -66,9 +67,24 @@ std::vector<Medial_sample_3<GeomTraits>> public_samples(const std::vector<Sample
   return result;
 }
 
+/// The list of the points that a vertex of `Graph` stands for; `void` if it has none.
+template <typename Graph, typename = void>
+struct Indices_of
+{
+  using type = void;
+};
+
+template <typename Graph>
+struct Indices_of<
+  Graph, std::void_t<decltype(std::declval<typename boost::vertex_bundle_type<Graph>::type>().indices)>>
+{
+  using type = decltype(boost::vertex_bundle_type<Graph>::type::indices);
+};
+
 /// The points of every vertex, ascending. Of ten million points they are most of the memory: no more
 /// of it than they need.
-inline std::vector<std::vector<std::size_t>> points_of_vertices(const Skeletonization_stages& stages)
+template <typename Indices>
+std::vector<Indices> points_of_vertices(const Skeletonization_stages& stages)
 {
   const auto for_each_point = [&](const auto& visit) {
     for(std::size_t p = 0; p < stages.number_of_points(); ++p)
@@ -77,10 +93,12 @@ inline std::vector<std::vector<std::size_t>> points_of_vertices(const Skeletoniz
   };
   std::vector<std::size_t> size(stages.graph.vertices.size(), 0);
   for_each_point([&](std::size_t, std::size_t v) { ++size[v]; });
-  std::vector<std::vector<std::size_t>> result(size.size());
+  std::vector<Indices> result(size.size());
   for(std::size_t v = 0; v < size.size(); ++v)
     result[v].reserve(size[v]);
-  for_each_point([&](std::size_t p, std::size_t v) { result[v].push_back(p); });
+  for_each_point([&](std::size_t p, std::size_t v) {
+    result[v].push_back(static_cast<typename Indices::value_type>(p));
+  });
   return result;
 }
 
@@ -99,10 +117,13 @@ void set_public_skeleton(const Skeletonization_stages& stages, const Normalizati
   }
   for(const Skeleton_graph::Edge& e : graph.edges)
     add_edge(vertex(e.first, result), vertex(e.second, result), result);
-  auto indices = points_of_vertices(stages);
   skeleton = result; // BGL graphs are copied, so without indices
-  for(std::size_t v = 0; v < indices.size(); ++v)
-    skeleton[vertex(v, skeleton)].indices = std::move(indices[v]);
+  using Indices = typename Indices_of<SkeletonGraph>::type;
+  if constexpr(!std::is_void<Indices>::value) {
+    std::vector<Indices> indices = points_of_vertices<Indices>(stages);
+    for(std::size_t v = 0; v < indices.size(); ++v)
+      skeleton[vertex(v, skeleton)].indices = std::move(indices[v]);
+  }
 }
 
 } // namespace internal
