@@ -95,7 +95,8 @@ TEST_CASE("The points closer than a radius, each once")
       const Vector3 q = random_vector(random);
       const double radius = random.uniform(0, 1);
       std::vector<std::size_t> found, expected;
-      tree.visit_within(q, radius, [&](std::size_t i, double squared_distance) {
+      tree.visit_within(q, radius, [&](std::size_t k, double squared_distance) {
+        const std::size_t i = tree.order()[k];
         REQUIRE(squared_distance == (points[i] - q).squaredNorm());
         found.push_back(i);
       });

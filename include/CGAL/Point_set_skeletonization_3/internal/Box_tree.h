@@ -10,7 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -64,15 +63,21 @@ public:
 
   /// `position(i)` gives the `i`-th of `size` points.
   template <typename Position>
-  Box_tree(std::size_t size, const Position& position) : order_(size)
+  Box_tree(std::size_t size, const Position& position)
   {
-    std::iota(order_.begin(), order_.end(), std::size_t(0));
+    std::vector<Entry> entries;
+    entries.reserve(size);
+    for(std::size_t i = 0; i < size; ++i)
+      entries.push_back({position(i), i});
     if(size > 0)
-      split(0, size, position);
-    boxes_ = boxes_of(position);
+      split(entries, 0, size);
+    order_.reserve(size);
     positions_.reserve(size);
-    for(std::size_t i : order_)
-      positions_.push_back(position(i));
+    for(const Entry& entry : entries) {
+      order_.push_back(entry.index);
+      positions_.push_back(entry.position);
+    }
+    boxes_ = boxes_of(position);
   }
 
   /// In preorder: the root, its left subtree, its right subtree. Empty if there are no points.
@@ -104,7 +109,8 @@ public:
     return result;
   }
 
-  /// Calls `visit(i, squared_distance)` for every point closer than `radius` to `center`.
+  /// Calls `visit(k, squared_distance)` for every point closer than `radius` to `center`; it is the
+  /// `k`-th of `order()`, in ascending order.
   template <typename Visit>
   void visit_within(const Vector3& center, double radius, const Visit& visit) const
   {
@@ -118,7 +124,7 @@ public:
         for(std::size_t k = nodes_[n].begin; k < nodes_[n].end; ++k) {
           const double squared_distance = (positions_[k] - center).squaredNorm();
           if(squared_distance < squared_radius)
-            visit(order_[k], squared_distance);
+            visit(k, squared_distance);
         }
       ++n;
     }
@@ -132,16 +138,16 @@ public:
   {
     if(nodes_.empty())
       return;
-    using Entry = std::pair<double, std::size_t>; // bound, node
-    std::array<Entry, 64> waiting; // one for every halving
+    using Bounded_node = std::pair<double, std::size_t>;
+    std::array<Bounded_node, 64> waiting; // one for every halving
     std::size_t size = 0;
     waiting[size++] = {bound(0), 0};
     while(size > 0) {
-      Entry entry = waiting[--size];
+      Bounded_node entry = waiting[--size];
       while(entry.first < limit && !is_leaf(entry.second)) {
         const std::size_t near = left(entry.second), far = right(entry.second);
         entry = {bound(near), near};
-        Entry other{bound(far), far};
+        Bounded_node other{bound(far), far};
         if(other.first < entry.first)
           std::swap(entry, other);
         waiting[size++] = other;
@@ -155,29 +161,35 @@ public:
 private:
   static constexpr std::size_t leaf_size = 8; // a handful costs as much as a node
 
-  /// Appends the tree over a range of `order_`: halves of equal size across its longest axis.
-  template <typename Position>
-  void split(std::size_t begin, std::size_t end, const Position& position)
+  struct Entry
+  {
+    Vector3 position;
+    std::size_t index;
+  };
+
+  /// Appends the tree over a range of entries: halves of equal size across its longest axis.
+  void split(std::vector<Entry>& entries, std::size_t begin, std::size_t end)
   {
     const std::size_t node = nodes_.size();
     nodes_.push_back({begin, end, node + 1});
-    const auto at = [&](std::size_t k) { return order_.begin() + static_cast<std::ptrdiff_t>(k); };
-    if(end - begin <= leaf_size) {
-      std::sort(at(begin), at(end)); // an order of its own, whatever nth_element() leaves
+    const auto at = [&](std::size_t k) { return entries.begin() + static_cast<std::ptrdiff_t>(k); };
+    if(end - begin <= leaf_size) { // an order of its own, whatever nth_element() leaves
+      std::sort(at(begin), at(end),
+                [](const Entry& a, const Entry& b) { return a.index < b.index; });
       return;
     }
     Box box;
     for(std::size_t k = begin; k < end; ++k)
-      box.add(position(order_[k]));
+      box.add(entries[k].position);
     Eigen::Index axis = 0;
     (box.upper - box.lower).maxCoeff(&axis);
     const std::size_t middle = begin + (end - begin) / 2;
-    std::nth_element(at(begin), at(middle), at(end), [&](std::size_t i, std::size_t j) {
-      const double a = position(i)[axis], b = position(j)[axis];
-      return a != b ? a < b : i < j;
+    std::nth_element(at(begin), at(middle), at(end), [axis](const Entry& a, const Entry& b) {
+      const double x = a.position[axis], y = b.position[axis];
+      return x != y ? x < y : a.index < b.index;
     });
-    split(begin, middle, position);
-    split(middle, end, position);
+    split(entries, begin, middle);
+    split(entries, middle, end);
     nodes_[node].after = nodes_.size();
   }
 

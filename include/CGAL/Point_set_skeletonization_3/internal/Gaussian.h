@@ -25,6 +25,40 @@ struct Gaussian
 
 using Gaussians = std::vector<Gaussian>;
 
+/// A symmetric matrix that sums are taken in: six numbers, each by name, stay in registers.
+struct Symmetric_sum
+{
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+
+  /// Adds the upper triangle of `a * b.transpose()`.
+  void add_product(const Vector3& a, const Vector3& b)
+  {
+    xx += a[0] * b[0];
+    xy += a[0] * b[1];
+    xz += a[0] * b[2];
+    yy += a[1] * b[1];
+    yz += a[1] * b[2];
+    zz += a[2] * b[2];
+  }
+
+  void add(double weight, const Matrix3& m)
+  {
+    xx += weight * m(0, 0);
+    xy += weight * m(0, 1);
+    xz += weight * m(0, 2);
+    yy += weight * m(1, 1);
+    yz += weight * m(1, 2);
+    zz += weight * m(2, 2);
+  }
+
+  Matrix3 matrix() const
+  {
+    Matrix3 m;
+    m << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    return m;
+  }
+};
+
 /// Weight, mean and covariance of a weighted union, accumulated relative to an `origin` close to
 /// the data: second moments taken about a far origin would cancel.
 class Moments
@@ -34,10 +68,10 @@ public:
 
   void add(double weight, const Vector3& point)
   {
-    const Vector3 d = point - origin_;
+    const Vector3 d = point - origin_, weighted = weight * d;
     weight_ += weight;
-    first_ += weight * d;
-    second_ += weight * d * d.transpose();
+    first_ += weighted;
+    second_.add_product(weighted, d);
   }
 
   void add(const Gaussian& g) { add(g.weight, g); }
@@ -46,7 +80,7 @@ public:
   void add(double weight, const Gaussian& g)
   {
     add(weight, g.mean);
-    second_ += weight * g.covariance;
+    second_.add(weight, g.covariance);
   }
 
   double weight() const { return weight_; }
@@ -55,14 +89,14 @@ public:
   Gaussian gaussian() const
   {
     const Vector3 d = first_ / weight_;
-    return {weight_, origin_ + d, second_ / weight_ - d * d.transpose()};
+    return {weight_, origin_ + d, second_.matrix() / weight_ - d * d.transpose()};
   }
 
 private:
   Vector3 origin_;
   double weight_ = 0;
   Vector3 first_ = Vector3::Zero();
-  Matrix3 second_ = Matrix3::Zero();
+  Symmetric_sum second_;
 };
 
 } // namespace internal

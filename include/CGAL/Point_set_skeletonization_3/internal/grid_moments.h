@@ -13,7 +13,6 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -64,18 +63,18 @@ public:
   {
     weight_ += 1;
     first_ += d;
-    add_second({{d[0] * d[0], d[0] * d[1], d[0] * d[2], d[1] * d[1], d[1] * d[2], d[2] * d[2]}});
+    second_.add_product(d, d);
   }
 
   /// Adds the points of a cell whose centre lies `d` from this one's.
   void add(const Cell_moments& other, const Vector3& d)
   {
-    const Vector3 &f = other.first_, g = f + other.weight_ * d;
-    add_second(other.second_);
-    add_second({{d[0] * f[0] + g[0] * d[0], d[0] * f[1] + g[0] * d[1], d[0] * f[2] + g[0] * d[2],
-                 d[1] * f[1] + g[1] * d[1], d[1] * f[2] + g[1] * d[2], d[2] * f[2] + g[2] * d[2]}});
+    const Vector3 first = other.first_ + other.weight_ * d;
+    second_.add(1, other.second_.matrix());
+    second_.add_product(d, other.first_);
+    second_.add_product(first, d);
     weight_ += other.weight_;
-    first_ += g;
+    first_ += first;
   }
 
   double weight() const { return weight_; }
@@ -84,22 +83,13 @@ public:
   Gaussian gaussian(const Vector3& center) const
   {
     const Vector3 d = first_ / weight_;
-    Matrix3 second;
-    second << second_[0], second_[1], second_[2], second_[1], second_[3], second_[4], second_[2],
-      second_[4], second_[5];
-    return {weight_, center + d, second / weight_ - d * d.transpose()};
+    return {weight_, center + d, second_.matrix() / weight_ - d * d.transpose()};
   }
 
 private:
-  void add_second(const std::array<double, 6>& second)
-  {
-    for(std::size_t k = 0; k < 6; ++k)
-      second_[k] += second[k];
-  }
-
   double weight_ = 0;
   Vector3 first_ = Vector3::Zero();
-  std::array<double, 6> second_{{0, 0, 0, 0, 0, 0}}; ///< Upper triangle.
+  Symmetric_sum second_;
 };
 
 /// Which cells of a grid are occupied.

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -113,7 +112,6 @@ std::vector<Patch> surface_patches(const Gaussians& gaussians)
     estimate_normal(patch, gaussians, nearest[i]);
   });
 
-  std::vector<std::pair<std::size_t, std::size_t>> edges;
   for(std::size_t i = 0; i < patches.size(); ++i)
     for(const auto& neighbor : nearest[i]) {
       const std::size_t j = neighbor.index;
@@ -121,13 +119,14 @@ std::vector<Patch> surface_patches(const Gaussians& gaussians)
       if(j == i || neighbor.squared_distance > reach * reach ||
          face_each_other(patches[i], patches[j]))
         continue;
-      edges.emplace_back(i, j);
-      edges.emplace_back(j, i);
+      patches[i].neighbors.push_back(j);
+      patches[j].neighbors.push_back(i);
     }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  for(const auto& e : edges)
-    patches[e.first].neighbors.push_back(e.second);
+  for(Patch& patch : patches) {
+    std::vector<std::size_t>& neighbors = patch.neighbors;
+    std::sort(neighbors.begin(), neighbors.end());
+    neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+  }
   return patches;
 }
 

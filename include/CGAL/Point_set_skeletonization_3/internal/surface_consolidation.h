@@ -43,20 +43,28 @@ public:
   Mixture_window(const Gaussians& mixture, double spacing, double radius) : radius_(radius)
   {
     constexpr double resolution = 1.0 / 3; // of the radius: two dozen components in a window
-    mixture_ = resolution * radius > spacing ? coarsened(mixture, resolution * radius) : mixture;
-    tree_ = Box_tree(mixture_.size(), [this](std::size_t i) { return mixture_[i].mean; });
+    const bool coarser = resolution * radius > spacing;
+    const Gaussians& components = coarser ? coarsened(mixture, resolution * radius) : mixture;
+    tree_ = Box_tree(components.size(), [&](std::size_t i) { return components[i].mean; });
+    mixture_.reserve(components.size());
+    for(std::size_t i : tree_.order())
+      mixture_.push_back(components[i]);
   }
 
   double radius() const { return radius_; }
 
+  /// Weight in the window around a place over its area.
+  double density(const Vector3& q) const
+  {
+    double sum = 0;
+    visit(q, [&](double weight, const Gaussian&) { sum += weight; });
+    return sum / (radius_ * radius_);
+  }
+
   Local_fit operator()(const Vector3& q) const
   {
-    constexpr double reach = 1.5; // where the window has fallen to 1 %
     Moments moments(q);
-    tree_.visit_within(q, reach * radius_, [&](std::size_t i, double squared_distance) {
-      const double window = std::exp(-2 * squared_distance / (radius_ * radius_));
-      moments.add(window * mixture_[i].weight, mixture_[i]);
-    });
+    visit(q, [&](double weight, const Gaussian& g) { moments.add(weight, g); });
     Local_fit fit;
     fit.mean = q;
     if(!(moments.weight() > 0))
@@ -79,8 +87,19 @@ public:
   }
 
 private:
+  /// Calls `visit(weight, component)` for those in the window, with their weight in it.
+  template <typename Visit>
+  void visit(const Vector3& q, const Visit& visit) const
+  {
+    constexpr double reach = 1.5; // where the window has fallen to 1 %
+    const double exponent = -2 / (radius_ * radius_);
+    tree_.visit_within(q, reach * radius_, [&](std::size_t k, double squared_distance) {
+      visit(std::exp(exponent * squared_distance) * mixture_[k].weight, mixture_[k]);
+    });
+  }
+
   double radius_;
-  Gaussians mixture_;
+  Gaussians mixture_; ///< In the order of the tree.
   Box_tree tree_;
 };
 
@@ -286,6 +305,10 @@ private:
       if(result_.outlier[i])
         return;
       Vector3& position = result_.positions[i]; // the windows keep the ones before
+      if(!(strength_ > 0)) {
+        density_[i] = windows[size[i]]->density(position);
+        return;
+      }
       const Local_fit fit = fit_through(windows, size[i], position);
       density_[i] = fit.density;
       const double blob = std::min(1.0, std::max(0.0, (fit.roughness - 0.1) / 0.2));
@@ -304,15 +327,19 @@ private:
     constexpr double thin = 0.3; // Gaussian noise at 1.6 standard deviations
     const Box_tree tree(result_.positions.size(),
                         [&](std::size_t i) { return result_.positions[i]; });
+    std::vector<double> densities; // in the order of the tree
+    for(std::size_t i : tree.order())
+      densities.push_back(density_[i]);
+    const double least = thin * *std::max_element(density_.begin(), density_.end());
     std::vector<char> drop(mixture_.size(), 0);
     parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
-      if(result_.outlier[i])
+      if(result_.outlier[i] || density_[i] >= least) // thick beside anything
         return;
       // What lies apart from the others is compared with the surface further away.
       const double reach = spacings_[i] > apart * spacing_ ? 1.5 : 1;
       double densest = 0;
       tree.visit_within(result_.positions[i], reach * radius(size_),
-                        [&](std::size_t j, double) { densest = std::max(densest, density_[j]); });
+                        [&](std::size_t k, double) { densest = std::max(densest, densities[k]); });
       drop[i] = density_[i] < thin * densest;
     });
     bool any = false;
