@@ -15,6 +15,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_orientation.h>
+#include <CGAL/Point_set_skeletonization_3/internal/skeleton_centring.h>
 #include <CGAL/Point_set_skeletonization_3/internal/skeleton_pruning.h>
 #include <CGAL/Point_set_skeletonization_3/internal/skeleton_refinement.h>
 #include <CGAL/Point_set_skeletonization_3/internal/stray_components.h>
@@ -219,16 +220,36 @@ private:
     return outlier;
   }
 
-  /// Evens the graph out, bridges gaps and leads the ends to the tips.
+  /// Evens the graph out, bridges gaps, centres it and leads the ends to the tips.
   void refine(const std::vector<bool>& outlier)
   {
     smooth(graph);
     graph = resampled(graph, surface_->spacing);
     measure_radii();
     bridge();
-    extend_ends(graph, surface_points(assigned_vertices(outlier)));
-    smooth(graph);
+    centre(outlier);
+    extend(outlier);
+    centre(outlier);
     measure_radii();
+  }
+
+  void centre(const std::vector<bool>& outlier)
+  {
+    measure_radii();
+    Skeleton_centring<ConcurrencyTag>(graph, surface_points(assigned_vertices(outlier)),
+                                      surface_->spacing)();
+  }
+
+  void extend(const std::vector<bool>& outlier)
+  {
+    const std::vector<std::size_t> vertex_of_sample = assigned_vertices(outlier);
+    measure_radii();
+    correct_radii(vertex_of_sample);
+    // In noise a thin limb has no inside that could be told.
+    extend_ends(graph, surface_points(vertex_of_sample), [this](const Vector3& q) {
+      return (*surface_->winding_number)(q) >= (1 - noise_) * least_inside;
+    });
+    graph = resampled(graph, surface_->spacing);
   }
 
   void bridge()
@@ -295,14 +316,22 @@ private:
     return result;
   }
 
-  /// The patches of every vertex.
+  /// The points of the surface of every vertex. Where there is noise they are those of the mixture
+  /// as it was read: taking the noise off moves what is curved to the inside.
   std::vector<std::vector<Vector3>>
   surface_points(const std::vector<std::size_t>& vertex_of_sample) const
   {
     std::vector<std::vector<Vector3>> result(graph.vertices.size());
-    for(std::size_t i = 0; i < samples.size(); ++i)
-      if(vertex_of_sample[i] != none)
-        result[vertex_of_sample[i]].push_back(surface_->patches[i].mean);
+    const auto add = [&](std::size_t patch, const Vector3& p) {
+      if(patch != none && vertex_of_sample[patch] != none)
+        result[vertex_of_sample[patch]].push_back(p);
+    };
+    if(noise_ > 0)
+      for(std::size_t i = 0; i < patch_of_component_.size(); ++i)
+        add(patch_of_component_[i], mixture.front()[i].mean);
+    else
+      for(std::size_t i = 0; i < surface_->patches.size(); ++i)
+        add(i, surface_->patches[i].mean);
     return result;
   }
 

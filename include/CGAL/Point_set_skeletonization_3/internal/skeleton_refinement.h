@@ -86,8 +86,11 @@ inline Vector3 end_direction(std::size_t v, const Skeleton_graph& graph,
 }
 
 /// Moves the ends out to the tips: so far along its branch that the ball at the end reaches the
-/// furthest of the surface points that belong to it. `surface[v]` are those points.
-inline void extend_ends(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface)
+/// furthest of the surface points that belong to it, and half as far again and again where that is not
+/// `inside`, as in a limb that bends at its end. `surface[v]` are those points.
+template <typename Inside>
+void extend_ends(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
+                 const Inside& inside)
 {
   const auto adjacency = graph.adjacency();
   for(std::size_t v = 0; v < adjacency.size(); ++v) {
@@ -102,7 +105,11 @@ inline void extend_ends(Skeleton_graph& graph, const std::vector<std::vector<Vec
       continue;
     // The third furthest: one or two patches may be outliers.
     std::nth_element(reach.begin(), reach.begin() + 2, reach.end(), std::greater<double>());
-    end.position += std::max(0.0, reach[2] - end.radius) * direction;
+    Vector3 step = std::max(0.0, reach[2] - end.radius) * direction;
+    constexpr int halvings = 4; // what is left then does no harm
+    for(int halving = 0; halving < halvings && !inside(end.position + step); ++halving)
+      step /= 2;
+    end.position += step;
   }
 }
 
