@@ -247,7 +247,7 @@ private:
     correct_radii(vertex_of_sample);
     // In noise a thin limb has no inside that could be told.
     extend_ends(graph, surface_points(vertex_of_sample), [this](const Vector3& q) {
-      return (*surface_->winding_number)(q) >= (1 - noise_) * least_inside;
+      return (*surface_->winding_number)(q) >= least_inside - noise_;
     });
     graph = resampled(graph, surface_->spacing);
   }
@@ -274,24 +274,27 @@ private:
 
   /// In noise some patch is always nearer than the surface, and none is left around a limb that has
   /// drowned in it: there the points themselves tell the radius, by the lower quartile of their
-  /// distances. Where the data are clean they do not, the cross-section need not be round.
+  /// distances. A vertex alone has a few points only, so those of the next ones count as well; those of
+  /// an end do not, they lie in front of it rather than around it. Where the data are clean they do
+  /// not tell the radius, the cross-section need not be round.
   void correct_radii(const std::vector<std::size_t>& vertex_of_sample)
   {
     if(!(noise_ > 0))
       return;
-    const Gaussians& components = mixture.front();
-    std::vector<std::vector<double>> distances(graph.vertices.size());
-    for(std::size_t i = 0; i < components.size(); ++i) {
-      const std::size_t patch = patch_of_component_[i];
-      const std::size_t v = patch == none ? none : vertex_of_sample[patch];
-      if(v != none)
-        distances[v].push_back((components[i].mean - graph.vertices[v].position).norm());
+    const auto points = surface_points(vertex_of_sample);
+    const auto adjacency = graph.adjacency();
+    for(std::size_t v = 0; v < points.size(); ++v) {
+      std::vector<std::size_t> near = adjacency[v];
+      near.push_back(v);
+      std::vector<double> distances;
+      for(std::size_t w : near)
+        if(adjacency[w].size() != 1)
+          for(const Vector3& p : points[w])
+            distances.push_back((p - graph.vertices[w].position).norm());
+      double& radius = graph.vertices[v].radius;
+      if(!distances.empty())
+        radius = std::max(radius, noise_ * quantile(std::move(distances), 0.25));
     }
-    for(std::size_t v = 0; v < distances.size(); ++v)
-      if(!distances[v].empty()) {
-        double& radius = graph.vertices[v].radius;
-        radius = std::max(radius, noise_ * quantile(std::move(distances[v]), 0.25));
-      }
   }
 
   /// The number of points of every vertex.
