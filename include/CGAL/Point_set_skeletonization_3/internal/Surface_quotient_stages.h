@@ -236,8 +236,9 @@ private:
   void centre(const std::vector<bool>& outlier)
   {
     measure_radii();
-    Skeleton_centring<ConcurrencyTag>(graph, surface_points(assigned_vertices(outlier)),
-                                      surface_->spacing)();
+    centre_skeleton<ConcurrencyTag>(graph, surface_points(assigned_vertices(outlier)),
+                                    surface_->spacing,
+                                    [this](const Vector3& q) { return is_inside(q); });
   }
 
   void extend(const std::vector<bool>& outlier)
@@ -245,11 +246,15 @@ private:
     const std::vector<std::size_t> vertex_of_sample = assigned_vertices(outlier);
     measure_radii();
     correct_radii(vertex_of_sample);
-    // In noise a thin limb has no inside that could be told.
-    extend_ends(graph, surface_points(vertex_of_sample), [this](const Vector3& q) {
-      return (*surface_->winding_number)(q) >= least_inside - noise_;
-    });
+    extend_ends(graph, surface_points(vertex_of_sample),
+                [this](const Vector3& q) { return is_inside(q); });
     graph = resampled(graph, surface_->spacing);
+  }
+
+  /// As far as one knows: in noise a thin limb has no inside that could be told.
+  bool is_inside(const Vector3& q) const
+  {
+    return (*surface_->winding_number)(q) >= least_inside - noise_;
   }
 
   void bridge()

@@ -36,18 +36,19 @@ namespace internal {
 /// of vertices, and a length l in proportion to the radius of the limb: what wavers within less than
 /// its own width is no limb. Along a limb that is a low pass of fourth order: of a wave of length
 /// 2 pi l one half is left, of ten times that all but 1 in 10000. As the cuts follow the skeleton, a
-/// few rounds are needed.
-template <typename ConcurrencyTag = Sequential_tag>
+/// few rounds are needed. Where the centre is outside of the shape, as that of a channel, nothing is
+/// drawn there.
+template <typename ConcurrencyTag, typename Inside>
 class Skeleton_centring
 {
 public:
   /// `surface[v]` are the points of the surface that belong to vertex v, noise and all: taking it off
   /// draws what is curved to the inside. `spacing` is about how far they are apart. The radii of the
-  /// graph are those of the limbs, roughly.
+  /// graph are those of the limbs, roughly. `inside` tells of a place whether it is in the shape.
   Skeleton_centring(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
-                    double spacing)
-    : graph_(graph), surface_(surface), spacing_(spacing), adjacency_(graph.adjacency()),
-      drawn_(graph.vertices.size())
+                    double spacing, const Inside& inside)
+    : graph_(graph), surface_(surface), spacing_(spacing), inside_(inside),
+      adjacency_(graph.adjacency()), drawn_(graph.vertices.size())
   {}
 
   void operator()()
@@ -76,36 +77,67 @@ private:
     const Skeleton_graph::Vertex& vertex = graph_.vertices[v];
     const double radius = std::max(vertex.radius, spacing_);
     Drawn result{vertex.position, least_weight, radius};
-    const Vector3 axis = direction(v, radius);
-    if(!(axis.squaredNorm() > 0)) // a junction
+    const Piece piece = piece_around(v, radius);
+    if(!(piece.half_chord > 0)) // a junction
       return result;
-    const Vector3 e1 = axis.unitOrthogonal(), e2 = axis.cross(e1);
-    const Cross_section section = cross_section(cut(v, e1, e2, radius));
+    const Vector3 e1 = piece.axis.unitOrthogonal(), e2 = piece.axis.cross(e1);
+    const Cross_section section = cross_section(cut(v, piece, e1, e2, radius));
     // A sixth of the way around is a gap between points. With half of it a centre is a guess, but
     // better than none; with a third left it is none.
     constexpr double narrow = CGAL_PI / 3, wide = 4 * CGAL_PI / 3;
     const double weight = std::min(1.0, (wide - section.gap) / (wide - narrow));
-    if(!(section.area > 0) || weight <= least_weight)
+    const Vector3 target =
+      vertex.position + section.center.x() * e1 + section.center.y() * e2;
+    if(!(section.area > 0) || weight <= least_weight || !inside_(target))
       return result;
-    return {vertex.position + section.center.x() * e1 + section.center.y() * e2, weight,
-            std::max(radius, std::sqrt(section.area / CGAL_PI))};
+    return {target, weight, std::max(radius, std::sqrt(section.area / CGAL_PI))};
   }
 
-  /// The points of the surface near the plane at a vertex that `e1` and `e2` span, in this plane.
-  std::vector<Eigen::Vector2d> cut(std::size_t v, const Vector3& e1, const Vector3& e2,
-                                   double radius) const
+  /// A piece of a branch, read as a parabola.
+  struct Piece
   {
-    // Wide enough for a dozen points around a thin limb, narrow enough for a bent one.
+    Vector3 axis = Vector3::Zero(); ///< Unit length, along the chord.
+    Vector3 sag = Vector3::Zero();  ///< From the vertex to the middle of the chord.
+    double half_chord = 0;          ///< 0: there is no such piece.
+  };
+
+  /// The piece around a vertex, `reach` to either side as far as the branch goes.
+  Piece piece_around(std::size_t v, double reach) const
+  {
+    Piece result;
+    const std::vector<std::size_t>& next = adjacency_[v];
+    if(next.empty() || next.size() > 2)
+      return result;
+    const Vector3& here = graph_.vertices[v].position;
+    const Vector3 to = graph_.vertices[along(v, next.front(), reach)].position;
+    const Vector3 from = next.size() == 1 ? Vector3(2 * here - to) // an end goes straight on
+                                          : graph_.vertices[along(v, next.back(), reach)].position;
+    result.half_chord = (to - from).norm() / 2;
+    if(result.half_chord > 0)
+      result.axis = (to - from) / (2 * result.half_chord);
+    result.sag = (to + from) / 2 - here;
+    return result;
+  }
+
+  /// The points of the surface near the plane at a vertex that `e1` and `e2` span, moved to this plane
+  /// along the branch.
+  std::vector<Eigen::Vector2d> cut(std::size_t v, const Piece& piece, const Vector3& e1,
+                                   const Vector3& e2, double radius) const
+  {
+    // Wide enough for a dozen points around a thin limb, narrow enough for one that gets thicker.
     const double half_width = std::max(spacing_, 0.25 * radius);
     // Points across the limb may belong to vertices further along it, those of other limbs not.
     constexpr double reach = 2; // radii
-    const Vector3 axis = e1.cross(e2);
     std::vector<Eigen::Vector2d> result;
     for(std::size_t u : around(v, half_width + reach * radius))
       for(const Vector3& p : surface_[u]) {
-        const Vector3 d = p - graph_.vertices[v].position;
-        if(std::abs(axis.dot(d)) < half_width)
-          result.emplace_back(e1.dot(d), e2.dot(d));
+        Vector3 d = p - graph_.vertices[v].position;
+        const double z = piece.axis.dot(d);
+        if(std::abs(z) >= half_width)
+          continue;
+        const double t = std::min(1.0, std::abs(z) / piece.half_chord);
+        d -= t * t * piece.sag;
+        result.emplace_back(e1.dot(d), e2.dot(d));
       }
     return result;
   }
@@ -124,19 +156,6 @@ private:
         }
       }
     return result;
-  }
-
-  /// The direction of a branch, taken over `reach` to either side as far as it goes; zero where it is
-  /// not known, as at a junction.
-  Vector3 direction(std::size_t v, double reach) const
-  {
-    const std::vector<std::size_t>& next = adjacency_[v];
-    if(next.empty() || next.size() > 2)
-      return Vector3::Zero();
-    const Vector3 to = graph_.vertices[along(v, next.front(), reach)].position;
-    const Vector3 from = graph_.vertices[next.size() == 1 ? v : along(v, next.back(), reach)].position;
-    const double length = (to - from).norm();
-    return length > 0 ? Vector3((to - from) / length) : Vector3::Zero();
   }
 
   /// The vertex at least `reach` away from `v` through its neighbour `to`, or where the branch ends.
@@ -206,9 +225,18 @@ private:
   Skeleton_graph& graph_;
   const std::vector<std::vector<Vector3>>& surface_;
   double spacing_;
+  const Inside& inside_;
   std::vector<std::vector<std::size_t>> adjacency_;
   std::vector<Drawn> drawn_; ///< Of every vertex.
 };
+
+/// Moves a skeleton to the centres of the cross-sections of its limbs; parameters as above.
+template <typename ConcurrencyTag, typename Inside>
+void centre_skeleton(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
+                     double spacing, const Inside& inside)
+{
+  Skeleton_centring<ConcurrencyTag, Inside>(graph, surface, spacing, inside)();
+}
 
 } // namespace internal
 } // namespace Point_set_skeletonization_3
