@@ -75,8 +75,7 @@ struct Indices_of
 };
 
 template <typename Graph>
-struct Indices_of<
-  Graph, std::void_t<decltype(std::declval<typename boost::vertex_bundle_type<Graph>::type>().indices)>>
+struct Indices_of<Graph, std::void_t<decltype(boost::vertex_bundle_type<Graph>::type::indices)>>
 {
   using type = decltype(boost::vertex_bundle_type<Graph>::type::indices);
 };

@@ -103,16 +103,14 @@ private:
   Box_tree tree_;
 };
 
-/// Distance of every component to its fourth neighbour.
+/// Every component and its eight nearest neighbours, nearest first.
 template <typename ConcurrencyTag>
-std::vector<double> component_spacings(const Gaussians& mixture)
+std::vector<std::vector<Neighbor_search::Neighbor>> component_neighbors(const Gaussians& mixture)
 {
   const Neighbor_search search(mixture.size(), [&](std::size_t i) { return mixture[i].mean; });
-  std::vector<double> result(mixture.size(), 0);
+  std::vector<std::vector<Neighbor_search::Neighbor>> result(mixture.size());
   parallel_for<ConcurrencyTag>(mixture.size(), [&](std::size_t i) {
-    std::vector<Neighbor_search::Neighbor> nearest;
-    search.nearest(mixture[i].mean, 5, nearest);
-    result[i] = std::sqrt(nearest.back().squared_distance);
+    search.nearest(mixture[i].mean, 9, result[i]);
   });
   return result;
 }
@@ -147,7 +145,8 @@ class Surface_consolidation
 {
 public:
   explicit Surface_consolidation(const Gaussians& mixture)
-    : mixture_(mixture), spacings_(component_spacings<ConcurrencyTag>(mixture)),
+    : mixture_(mixture), nearest_(component_neighbors<ConcurrencyTag>(mixture)),
+      spacings_(spacings()),
       spacing_(std::max(quantile(spacings_, 0.5), std::numeric_limits<double>::min()))
   {
     for(const Gaussian& g : mixture)
@@ -162,7 +161,10 @@ public:
     result_.noise = strength_;
     constexpr int passes = 4; // the first halves the noise, the last finds nothing to do
     for(int pass = 0; pass < passes; ++pass) {
-      move();
+      if(strength_ > 0)
+        move();
+      else
+        measure_densities(pass == 0);
       if(!drop_thin() && !(strength_ > 0)) // nothing has changed
         break;
     }
@@ -170,6 +172,17 @@ public:
   }
 
 private:
+  /// Distance of every component to its fourth neighbour.
+  std::vector<double> spacings() const
+  {
+    std::vector<double> result;
+    for(const auto& nearest : nearest_) {
+      const std::size_t fourth = std::min<std::size_t>(4, nearest.size() - 1);
+      result.push_back(std::sqrt(nearest[fourth].squared_distance));
+    }
+    return result;
+  }
+
   /// Components whose neighbours are far away are outliers: density falls by the square root of 8
   /// in spacing over a badly sampled shape, and outliers are spread in space, not on a surface.
   void drop_isolated()
@@ -230,21 +243,20 @@ private:
   /// How far components lie off the surface through their neighbours, in the median over the shape,
   /// in radii of the window. On a curved surface all lie off their fitted plane, and by the same; only
   /// the difference from the neighbours is noise.
-  double scatter(const Mixture_window& view) const
+  double scatter(const Mixture_window& view)
   {
-    constexpr std::size_t neighbors = 8;
     const std::size_t n = mixture_.size();
     std::vector<Vector3> offset(n), normal(n);
+    density_.resize(n);
     parallel_for<ConcurrencyTag>(n, [&](std::size_t i) {
       const Local_fit fit = view(result_.positions[i]);
       offset[i] = fit.mean - result_.positions[i];
       normal[i] = fit.normal;
+      density_[i] = fit.density;
     });
-    const Neighbor_search search(n, [&](std::size_t i) { return result_.positions[i]; });
     std::vector<double> off(n);
     parallel_for<ConcurrencyTag>(n, [&](std::size_t i) {
-      std::vector<Neighbor_search::Neighbor> nearest;
-      search.nearest(result_.positions[i], neighbors + 1, nearest);
+      const auto& nearest = nearest_[i]; // nothing has moved yet
       Vector3 mean = Vector3::Zero();
       for(const auto& neighbor : nearest)
         mean += offset[neighbor.index] / static_cast<double>(nearest.size());
@@ -288,27 +300,50 @@ private:
     return fit;
   }
 
-  void move()
+  /// The size of the window for every component.
+  std::vector<std::size_t> window_sizes() const
   {
-    std::vector<std::size_t> size(mixture_.size());
+    std::vector<std::size_t> result;
+    for(std::size_t i = 0; i < mixture_.size(); ++i)
+      result.push_back(size_for(i));
+    return result;
+  }
+
+  /// The windows of all components that are left, and all narrower ones.
+  Windows windows_of(const std::vector<std::size_t>& size) const
+  {
     std::size_t largest = 0;
-    for(std::size_t i = 0; i < mixture_.size(); ++i) {
-      size[i] = size_for(i);
+    for(std::size_t i = 0; i < size.size(); ++i)
       if(!result_.outlier[i])
         largest = std::max(largest, size[i]);
-    }
     Windows windows;
     for(std::size_t k = 0; k <= largest; ++k)
       windows[k] = std::make_unique<Mixture_window>(window(k));
+    return windows;
+  }
+
+  /// Without noise this is all there is to do. At first `scatter()` has done it in the narrowest.
+  void measure_densities(bool narrowest_known)
+  {
+    const std::vector<std::size_t> size = window_sizes();
+    const Windows windows = windows_of(size);
+    parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
+      if(result_.outlier[i])
+        density_[i] = 0;
+      else if(!narrowest_known || size[i] > 0)
+        density_[i] = windows[size[i]]->density(result_.positions[i]);
+    });
+  }
+
+  void move()
+  {
+    const std::vector<std::size_t> size = window_sizes();
+    const Windows windows = windows_of(size);
     density_.assign(mixture_.size(), 0);
     parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
       if(result_.outlier[i])
         return;
       Vector3& position = result_.positions[i]; // the windows keep the ones before
-      if(!(strength_ > 0)) {
-        density_[i] = windows[size[i]]->density(position);
-        return;
-      }
       const Local_fit fit = fit_through(windows, size[i], position);
       density_[i] = fit.density;
       const double blob = std::min(1.0, std::max(0.0, (fit.roughness - 0.1) / 0.2));
@@ -333,7 +368,7 @@ private:
     const double least = thin * *std::max_element(density_.begin(), density_.end());
     std::vector<char> drop(mixture_.size(), 0);
     parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
-      if(result_.outlier[i] || density_[i] >= least) // thick beside anything
+      if(result_.outlier[i] || density_[i] >= least) // beside anything it is thick
         return;
       // What lies apart from the others is compared with the surface further away.
       const double reach = spacings_[i] > apart * spacing_ ? 1.5 : 1;
@@ -350,6 +385,7 @@ private:
   }
 
   const Gaussians& mixture_;
+  std::vector<std::vector<Neighbor_search::Neighbor>> nearest_;
   std::vector<double> spacings_;
   double spacing_;
   std::vector<double> density_;
