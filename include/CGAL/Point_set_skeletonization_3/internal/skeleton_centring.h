@@ -48,7 +48,7 @@ public:
   Skeleton_centring(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
                     double spacing, const Inside& inside)
     : graph_(graph), surface_(surface), spacing_(spacing), inside_(inside),
-      adjacency_(graph.adjacency()), drawn_(graph.vertices.size())
+      adjacency_(graph.adjacency()), start_(graph.vertices), drawn_(graph.vertices.size())
   {}
 
   void operator()()
@@ -69,14 +69,14 @@ private:
     double radius = 0; ///< Of the limb there.
   };
 
-  /// A vertex without a cut stays about where it is, and lets its neighbours decide.
+  /// A vertex without a cut stays about where it was, and lets its neighbours decide.
   static constexpr double least_weight = 0.1;
 
   Drawn drawn(std::size_t v) const
   {
     const Skeleton_graph::Vertex& vertex = graph_.vertices[v];
     const double radius = std::max(vertex.radius, spacing_);
-    Drawn result{vertex.position, least_weight, radius};
+    Drawn result{start_[v].position, least_weight, radius};
     const Piece piece = piece_around(v, radius);
     if(!(piece.half_chord > 0)) // a junction
       return result;
@@ -129,7 +129,7 @@ private:
     // Points across the limb may belong to vertices further along it, those of other limbs not.
     constexpr double reach = 2; // radii
     std::vector<Eigen::Vector2d> result;
-    for(std::size_t u : around(v, half_width + reach * radius))
+    for(std::size_t u : around(v, half_width + reach * graph_.vertices[v].radius))
       for(const Vector3& p : surface_[u]) {
         Vector3 d = p - graph_.vertices[v].position;
         const double z = piece.axis.dot(d);
@@ -227,6 +227,7 @@ private:
   double spacing_;
   const Inside& inside_;
   std::vector<std::vector<std::size_t>> adjacency_;
+  const std::vector<Skeleton_graph::Vertex> start_;
   std::vector<Drawn> drawn_; ///< Of every vertex.
 };
 
