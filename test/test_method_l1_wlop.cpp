@@ -9,6 +9,7 @@
 
 #include "methods/l1_wlop.h"
 
+#include <cstddef>
 #include <stdexcept>
 
 namespace {
@@ -21,43 +22,31 @@ Method_input points_of(const shapes::Shape& shape)
   return input;
 }
 
+Skeleton check(const shapes::Shape& shape, std::size_t components, std::size_t cycles,
+               std::size_t ends, double off)
+{
+  const Method_input input = points_of(shape);
+  const Method_result result = l1_wlop(input);
+  shapes::check_skeleton(result, input, shape, components, cycles, ends, off);
+  return result.skeleton;
+}
+
 } // namespace
 
 TEST_CASE("L1-WLOP: a cylinder is one branch on the axis")
 {
-  const shapes::Shape shape = shapes::cylinder();
-  const Method_input input = points_of(shape);
-  const Method_result result = l1_wlop(input);
-  const Graph_counts counts = shapes::counts_of(result, input);
-  CHECK(counts.components == 1);
-  CHECK(counts.cycles == 0);
-  CHECK(counts.ends == 2);
-  CHECK(shapes::off_axis(result.skeleton, shape).back() < 0.2);
+  const Skeleton skeleton = check(shapes::cylinder(), 1, 0, 2, 0.1);
+  CHECK(shapes::off_axis(skeleton, shapes::cylinder()).back() < 0.2);
 }
 
 TEST_CASE("L1-WLOP: a Y has three ends")
 {
-  const shapes::Shape shape = shapes::y_junction();
-  const Method_input input = points_of(shape);
-  const Method_result result = l1_wlop(input);
-  const Graph_counts counts = shapes::counts_of(result, input);
-  CHECK(counts.components == 1);
-  CHECK(counts.cycles == 0);
-  CHECK(counts.ends == 3);
-  CHECK(counts.junctions == 1);
-  CHECK(shapes::median_off_axis(result.skeleton, shape) < 0.1);
+  CHECK(count_graph(check(shapes::y_junction(), 1, 0, 3, 0.1)).junctions == 1);
 }
 
 TEST_CASE("L1-WLOP: a ring is one cycle")
 {
-  const shapes::Shape shape = shapes::ring();
-  const Method_input input = points_of(shape);
-  const Method_result result = l1_wlop(input);
-  const Graph_counts counts = shapes::counts_of(result, input);
-  CHECK(counts.components == 1);
-  CHECK(counts.cycles == 1);
-  CHECK(counts.ends == 0);
-  CHECK(shapes::median_off_axis(result.skeleton, shape) < 0.2); // medians of arcs lie inwards
+  check(shapes::ring(), 1, 1, 0, 0.2); // medians of arcs lie inwards
 }
 
 TEST_CASE("L1-WLOP: parts that are apart stay apart")

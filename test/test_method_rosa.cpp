@@ -9,47 +9,38 @@
 
 #include "methods/rosa.h"
 
-TEST_CASE("ROSA: a cylinder is one branch on the axis")
+#include <cstddef>
+
+namespace {
+
+Skeleton check(const shapes::Shape& shape, std::size_t components, std::size_t cycles,
+               std::size_t ends, double off)
 {
-  const shapes::Shape shape = shapes::cylinder();
   const Method_input input = shapes::method_input(shape);
   const Method_result result = rosa(input);
-  const Graph_counts counts = shapes::counts_of(result, input);
-  CHECK(counts.components == 1);
-  CHECK(counts.cycles == 0);
-  CHECK(counts.ends == 2);
-  CHECK(shapes::off_axis(result.skeleton, shape).back() < 0.2);
+  shapes::check_skeleton(result, input, shape, components, cycles, ends, off);
+  return result.skeleton;
+}
+
+} // namespace
+
+TEST_CASE("ROSA: a cylinder is one branch on the axis")
+{
+  const Skeleton skeleton = check(shapes::cylinder(), 1, 0, 2, 0.1);
+  CHECK(shapes::off_axis(skeleton, shapes::cylinder()).back() < 0.2);
 }
 
 TEST_CASE("ROSA: a Y has three ends")
 {
-  const shapes::Shape shape = shapes::y_junction();
-  const Method_input input = shapes::method_input(shape);
-  const Method_result result = rosa(input);
-  const Graph_counts counts = shapes::counts_of(result, input);
-  CHECK(counts.components == 1);
-  CHECK(counts.cycles == 0);
-  CHECK(counts.ends == 3);
-  CHECK(counts.junctions == 1);
-  CHECK(shapes::median_off_axis(result.skeleton, shape) < 0.1);
+  CHECK(count_graph(check(shapes::y_junction(), 1, 0, 3, 0.1)).junctions == 1);
 }
 
 TEST_CASE("ROSA: a ring is one cycle")
 {
-  const shapes::Shape shape = shapes::ring();
-  const Method_input input = shapes::method_input(shape);
-  const Method_result result = rosa(input);
-  const Graph_counts counts = shapes::counts_of(result, input);
-  CHECK(counts.components == 1);
-  CHECK(counts.cycles == 1);
-  CHECK(counts.ends == 0);
-  CHECK(shapes::median_off_axis(result.skeleton, shape) < 0.1);
+  check(shapes::ring(), 1, 1, 0, 0.1);
 }
 
 TEST_CASE("ROSA: every component has a skeleton of its own")
 {
-  const Method_input input = shapes::method_input(shapes::two_parts());
-  const Graph_counts counts = shapes::counts_of(rosa(input), input);
-  CHECK(counts.components == 2);
-  CHECK(counts.ends == 4);
+  check(shapes::two_parts(), 2, 0, 4, 0.1);
 }
