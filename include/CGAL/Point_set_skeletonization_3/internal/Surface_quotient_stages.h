@@ -4,26 +4,20 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_QUOTIENT_STAGES_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_QUOTIENT_STAGES_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Oriented_surface.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Skeleton_fitting.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Skeletonization_stages.h>
-#include <CGAL/Point_set_skeletonization_3/internal/bridging.h>
+#include <CGAL/Point_set_skeletonization_3/internal/grid_cells.h>
 #include <CGAL/Point_set_skeletonization_3/internal/grid_moments.h>
+#include <CGAL/Point_set_skeletonization_3/internal/limb_joints.h>
 #include <CGAL/Point_set_skeletonization_3/internal/local_separators.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial_balls.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial_projection.h>
-#include <CGAL/Point_set_skeletonization_3/internal/oriented_mixture.h>
-#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
-#include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
-#include <CGAL/Point_set_skeletonization_3/internal/patch_orientation.h>
-#include <CGAL/Point_set_skeletonization_3/internal/skeleton_centring.h>
 #include <CGAL/Point_set_skeletonization_3/internal/skeleton_pruning.h>
-#include <CGAL/Point_set_skeletonization_3/internal/skeleton_refinement.h>
 #include <CGAL/Point_set_skeletonization_3/internal/stray_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface_consolidation.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface_quotient.h>
-#include <CGAL/Point_set_skeletonization_3/internal/winding_number.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -32,40 +26,6 @@
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
-
-/// The patches of a mixture level with all that the projection and the linking ask them.
-template <typename ConcurrencyTag>
-class Oriented_surface
-{
-public:
-  explicit Oriented_surface(const Gaussians& gaussians)
-    : patches(surface_patches<ConcurrencyTag>(gaussians)), spacing(median_spacing(patches))
-  {
-    orient_patches(patches);
-    winding_number = settle_orientation<ConcurrencyTag>(patches);
-    confidence = orientation_confidence(patches);
-    part_facing_patches(patches, confidence);
-
-    // A patch of a few points is thinner than the surface is known; a tenth of the spacing is not.
-    const Matrix3 blur = 0.01 * spacing * spacing * Matrix3::Identity();
-    std::vector<Oriented_gaussian> finest;
-    for(std::size_t i = 0; i < gaussians.size(); ++i)
-      finest.push_back({{gaussians[i].weight, gaussians[i].mean, gaussians[i].covariance + blur},
-                        patches[i].normal,
-                        confidence[i]});
-    mixture = std::make_unique<Oriented_mixture>(std::move(finest), spacing);
-  }
-
-  // Its parts refer to each other.
-  Oriented_surface(const Oriented_surface&) = delete;
-  Oriented_surface& operator=(const Oriented_surface&) = delete;
-
-  std::vector<Patch> patches;
-  double spacing;
-  std::vector<double> confidence;
-  std::unique_ptr<Winding_number> winding_number;
-  std::unique_ptr<Oriented_mixture> mixture;
-};
 
 /// Projects the patches of a mixture level to their local medians, one sample per patch.
 template <typename ConcurrencyTag>
@@ -149,12 +109,10 @@ public:
     const std::vector<bool> outlier = connect(joints, separators);
     if(!progress(0.7))
       return false;
-    refine(outlier);
-    if(!progress(0.9))
-      return false;
-    const std::vector<std::size_t> vertex_of_sample = assigned_vertices(outlier);
-    correct_radii(vertex_of_sample);
-    assign_components(vertex_of_sample);
+    const auto points_of_sample = points_of_samples(outlier);
+    Skeleton_fitting<ConcurrencyTag> fitting(graph, *surface_, samples, points_of_sample, noise_);
+    fitting.fit(options_.single_component);
+    assign_components(fitting.vertices_of_samples());
     return progress(1);
   }
 
@@ -220,88 +178,6 @@ private:
     return outlier;
   }
 
-  /// Evens the graph out, bridges gaps, centres it and leads the ends to the tips.
-  void refine(const std::vector<bool>& outlier)
-  {
-    smooth(graph);
-    graph = resampled(graph, surface_->spacing);
-    measure_radii();
-    bridge();
-    centre(outlier);
-    extend(outlier);
-    centre(outlier);
-    measure_radii();
-  }
-
-  void centre(const std::vector<bool>& outlier)
-  {
-    measure_radii();
-    centre_skeleton<ConcurrencyTag>(graph, surface_points(assigned_vertices(outlier)),
-                                    surface_->spacing,
-                                    [this](const Vector3& q) { return is_inside(q); });
-  }
-
-  void extend(const std::vector<bool>& outlier)
-  {
-    const std::vector<std::size_t> vertex_of_sample = assigned_vertices(outlier);
-    measure_radii();
-    correct_radii(vertex_of_sample);
-    extend_ends(graph, surface_points(vertex_of_sample),
-                [this](const Vector3& q) { return is_inside(q); });
-    graph = resampled(graph, surface_->spacing);
-  }
-
-  /// As far as one knows: in noise a thin limb has no inside that could be told.
-  bool is_inside(const Vector3& q) const
-  {
-    return (*surface_->winding_number)(q) >= least_inside - noise_;
-  }
-
-  void bridge()
-  {
-    Bridging bridging(graph, surface_->spacing);
-    bridging.bridge_gaps();
-    if(options_.single_component)
-      bridging.join_all();
-    graph = resampled(graph, surface_->spacing);
-  }
-
-  /// The radius of every vertex: how far the surface is that it sees.
-  void measure_radii()
-  {
-    parallel_for<ConcurrencyTag>(graph.vertices.size(), [&](std::size_t v) {
-      const double radius =
-        visible_distance(graph.vertices[v].position, surface_->mixture->finest());
-      if(radius > 0)
-        graph.vertices[v].radius = radius;
-    });
-  }
-
-  /// In noise some patch is always nearer than the surface, and none is left around a limb that has
-  /// drowned in it: there the points themselves tell the radius, by the lower quartile of their
-  /// distances. A vertex alone has a few points only, so those of the next ones count as well; those of
-  /// an end do not, they lie in front of it rather than around it. Where the data are clean they do
-  /// not tell the radius, the cross-section need not be round.
-  void correct_radii(const std::vector<std::size_t>& vertex_of_sample)
-  {
-    if(!(noise_ > 0))
-      return;
-    const auto points = surface_points(vertex_of_sample);
-    const auto adjacency = graph.adjacency();
-    for(std::size_t v = 0; v < points.size(); ++v) {
-      std::vector<std::size_t> near = adjacency[v];
-      near.push_back(v);
-      std::vector<double> distances;
-      for(std::size_t w : near)
-        if(adjacency[w].size() != 1)
-          for(const Vector3& p : points[w])
-            distances.push_back((p - graph.vertices[w].position).norm());
-      double& radius = graph.vertices[v].radius;
-      if(!distances.empty())
-        radius = std::max(radius, noise_ * quantile(std::move(distances), 0.25));
-    }
-  }
-
   /// The number of points of every vertex.
   std::vector<double> weights(const std::vector<std::vector<std::size_t>>& patches_of) const
   {
@@ -312,27 +188,14 @@ private:
     return result;
   }
 
-  /// The vertex nearest to every sample; `none` for outliers.
-  std::vector<std::size_t> assigned_vertices(const std::vector<bool>& outlier) const
+  /// The points of the surface of every sample; none of outliers. Where there is noise they are those
+  /// of the mixture as it was read: taking the noise off moves what is curved to the inside.
+  std::vector<std::vector<Vector3>> points_of_samples(const std::vector<bool>& outlier) const
   {
-    const Neighbor_search search(graph.vertices.size(),
-                                 [&](std::size_t v) { return graph.vertices[v].position; });
-    std::vector<std::size_t> result(samples.size(), none);
-    for(std::size_t i = 0; i < samples.size(); ++i)
-      if(!outlier[i])
-        result[i] = search.nearest(samples[i].position).index;
-    return result;
-  }
-
-  /// The points of the surface of every vertex. Where there is noise they are those of the mixture
-  /// as it was read: taking the noise off moves what is curved to the inside.
-  std::vector<std::vector<Vector3>>
-  surface_points(const std::vector<std::size_t>& vertex_of_sample) const
-  {
-    std::vector<std::vector<Vector3>> result(graph.vertices.size());
+    std::vector<std::vector<Vector3>> result(samples.size());
     const auto add = [&](std::size_t patch, const Vector3& p) {
-      if(patch != none && vertex_of_sample[patch] != none)
-        result[vertex_of_sample[patch]].push_back(p);
+      if(patch != none && !outlier[patch])
+        result[patch].push_back(p);
     };
     if(noise_ > 0)
       for(std::size_t i = 0; i < patch_of_component_.size(); ++i)

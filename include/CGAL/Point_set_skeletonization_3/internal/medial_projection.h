@@ -134,10 +134,6 @@ inline double visible_distance(const Vector3& q, const Oriented_mixture::Level& 
   return nearest < std::numeric_limits<double>::infinity() ? std::sqrt(nearest) : 0;
 }
 
-/// Winding number from which a place counts as inside. Not 0.5: it is low near a hole of the data and
-/// in a limb so thin that its patches are no planes.
-constexpr double least_inside = 0.25;
-
 /// Samples at the patch means, moved to the centre of their medial ball where there is one.
 template <typename ConcurrencyTag>
 std::vector<Sample> medial_samples(const std::vector<Patch>& patches,

@@ -9,6 +9,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/grid_cells.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
+#include <CGAL/Point_set_skeletonization_3/internal/quantile.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -113,14 +114,6 @@ std::vector<std::vector<Neighbor_search::Neighbor>> component_neighbors(const Ga
     search.nearest(mixture[i].mean, 9, result[i]);
   });
   return result;
-}
-
-/// The value that a share of `values` lies below. \pre `!values.empty()`, `0 <= share < 1`
-inline double quantile(std::vector<double> values, double share)
-{
-  const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
-  std::nth_element(values.begin(), values.begin() + k, values.end());
-  return values[static_cast<std::size_t>(k)];
 }
 
 /// Where the components of a mixture lie once the noise is taken off.

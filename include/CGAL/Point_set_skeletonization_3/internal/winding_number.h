@@ -22,6 +22,10 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
+/// Winding number from which a place counts as inside. Not 0.5: it is low near a hole of the data and
+/// in a limb so thin that its patches are no planes.
+constexpr double least_inside = 0.25;
+
 /// The generalised winding number of oriented patches: 1 inside, 0 outside, in between near holes.
 /// The patches are dipoles, and what is far away counts as the first two terms of its Taylor
 /// expansion (Barill et al. 2018). Patches closer than half their spacing are left out: a dipole says

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_ORIENTED_SURFACE_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_ORIENTED_SURFACE_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/oriented_mixture.h>
+#include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
+#include <CGAL/Point_set_skeletonization_3/internal/patch_orientation.h>
+#include <CGAL/Point_set_skeletonization_3/internal/winding_number.h>
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// The patches of a mixture level with all that the projection and the linking ask them.
+template <typename ConcurrencyTag>
+class Oriented_surface
+{
+public:
+  explicit Oriented_surface(const Gaussians& gaussians)
+    : patches(surface_patches<ConcurrencyTag>(gaussians)), spacing(median_spacing(patches))
+  {
+    orient_patches(patches);
+    winding_number = settle_orientation<ConcurrencyTag>(patches);
+    confidence = orientation_confidence(patches);
+    part_facing_patches(patches, confidence);
+
+    // A patch of a few points is thinner than the surface is known; a tenth of the spacing is not.
+    const Matrix3 blur = 0.01 * spacing * spacing * Matrix3::Identity();
+    std::vector<Oriented_gaussian> finest;
+    for(std::size_t i = 0; i < gaussians.size(); ++i)
+      finest.push_back({{gaussians[i].weight, gaussians[i].mean, gaussians[i].covariance + blur},
+                        patches[i].normal,
+                        confidence[i]});
+    mixture = std::make_unique<Oriented_mixture>(std::move(finest), spacing);
+  }
+
+  // Its parts refer to each other.
+  Oriented_surface(const Oriented_surface&) = delete;
+  Oriented_surface& operator=(const Oriented_surface&) = delete;
+
+  std::vector<Patch> patches;
+  double spacing;
+  std::vector<double> confidence;
+  std::unique_ptr<Winding_number> winding_number;
+  std::unique_ptr<Oriented_mixture> mixture;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_ORIENTED_SURFACE_H

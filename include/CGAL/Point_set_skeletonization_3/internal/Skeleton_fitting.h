@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SKELETON_FITTING_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SKELETON_FITTING_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Oriented_surface.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/bridging.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial_projection.h>
+#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
+#include <CGAL/Point_set_skeletonization_3/internal/quantile.h>
+#include <CGAL/Point_set_skeletonization_3/internal/samples.h>
+#include <CGAL/Point_set_skeletonization_3/internal/skeleton_centring.h>
+#include <CGAL/Point_set_skeletonization_3/internal/skeleton_refinement.h>
+#include <CGAL/Point_set_skeletonization_3/internal/winding_number.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// Fits a skeleton graph, whose vertices are where the linking left them, to the surface.
+template <typename ConcurrencyTag>
+class Skeleton_fitting
+{
+public:
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  /// `points_of_sample[i]` are the points of the surface that sample i stands for, noise and all; none
+  /// if it is an outlier. `noise` in [0, 1] tells how much there is.
+  Skeleton_fitting(Skeleton_graph& graph, const Oriented_surface<ConcurrencyTag>& surface,
+                   const std::vector<Sample>& samples,
+                   const std::vector<std::vector<Vector3>>& points_of_sample, double noise)
+    : graph_(graph), surface_(surface), samples_(samples), points_of_sample_(points_of_sample),
+      noise_(noise)
+  {}
+
+  /// Evens the graph out, bridges gaps, centres it, leads the ends to the tips and measures the radii.
+  void fit(bool single_component)
+  {
+    smooth(graph_);
+    graph_ = resampled(graph_, surface_.spacing);
+    measure_radii();
+    bridge(single_component);
+    centre();
+    extend();
+    centre();
+    measure_radii();
+    correct_radii(points_of_vertices());
+  }
+
+  /// The vertex nearest to every sample; `none` for outliers.
+  std::vector<std::size_t> vertices_of_samples() const
+  {
+    const Neighbor_search search(graph_.vertices.size(),
+                                 [&](std::size_t v) { return graph_.vertices[v].position; });
+    std::vector<std::size_t> result(samples_.size(), none);
+    for(std::size_t i = 0; i < samples_.size(); ++i)
+      if(!points_of_sample_[i].empty())
+        result[i] = search.nearest(samples_[i].position).index;
+    return result;
+  }
+
+private:
+  void bridge(bool single_component)
+  {
+    Bridging bridging(graph_, surface_.spacing);
+    bridging.bridge_gaps();
+    if(single_component)
+      bridging.join_all();
+    graph_ = resampled(graph_, surface_.spacing);
+  }
+
+  void centre()
+  {
+    measure_radii();
+    centre_skeleton<ConcurrencyTag>(graph_, points_of_vertices(), surface_.spacing,
+                                    [this](const Vector3& q) { return is_inside(q); });
+  }
+
+  void extend()
+  {
+    const std::vector<std::vector<Vector3>> points = points_of_vertices();
+    measure_radii();
+    correct_radii(points);
+    extend_ends(graph_, points, [this](const Vector3& q) { return is_inside(q); });
+    graph_ = resampled(graph_, surface_.spacing);
+  }
+
+  /// As far as one knows: in noise a thin limb has no inside that could be told.
+  bool is_inside(const Vector3& q) const
+  {
+    return (*surface_.winding_number)(q) >= least_inside - noise_;
+  }
+
+  /// The radius of every vertex: how far the surface is that it sees.
+  void measure_radii()
+  {
+    parallel_for<ConcurrencyTag>(graph_.vertices.size(), [&](std::size_t v) {
+      const double radius =
+        visible_distance(graph_.vertices[v].position, surface_.mixture->finest());
+      if(radius > 0)
+        graph_.vertices[v].radius = radius;
+    });
+  }
+
+  /// In noise some patch is always nearer than the surface, and none is left around a limb that has
+  /// drowned in it: there the points themselves tell the radius, by the lower quartile of their
+  /// distances. A vertex alone has a few points only, so those of the next ones count as well; those of
+  /// an end do not, they lie in front of it rather than around it. Where the data are clean they do
+  /// not tell the radius, the cross-section need not be round.
+  void correct_radii(const std::vector<std::vector<Vector3>>& points)
+  {
+    if(!(noise_ > 0))
+      return;
+    const auto adjacency = graph_.adjacency();
+    for(std::size_t v = 0; v < points.size(); ++v) {
+      std::vector<std::size_t> near = adjacency[v];
+      near.push_back(v);
+      std::vector<double> distances;
+      for(std::size_t w : near)
+        if(adjacency[w].size() != 1)
+          for(const Vector3& p : points[w])
+            distances.push_back((p - graph_.vertices[w].position).norm());
+      double& radius = graph_.vertices[v].radius;
+      if(!distances.empty())
+        radius = std::max(radius, noise_ * quantile(std::move(distances), 0.25));
+    }
+  }
+
+  /// The points of the surface of every vertex.
+  std::vector<std::vector<Vector3>> points_of_vertices() const
+  {
+    const std::vector<std::size_t> vertex_of_sample = vertices_of_samples();
+    std::vector<std::vector<Vector3>> result(graph_.vertices.size());
+    for(std::size_t i = 0; i < samples_.size(); ++i)
+      if(vertex_of_sample[i] != none) {
+        std::vector<Vector3>& points = result[vertex_of_sample[i]];
+        points.insert(points.end(), points_of_sample_[i].begin(), points_of_sample_[i].end());
+      }
+    return result;
+  }
+
+  Skeleton_graph& graph_;
+  const Oriented_surface<ConcurrencyTag>& surface_;
+  const std::vector<Sample>& samples_;
+  const std::vector<std::vector<Vector3>>& points_of_sample_;
+  double noise_;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SKELETON_FITTING_H
