@@ -121,9 +121,9 @@ TEST_CASE("The nearest point by branch and bound")
     std::size_t visits = 0;
     tree.visit_below(
       nearest, [&](std::size_t node) { return tree.boxes()[node].squared_distance(q); },
-      [&](std::size_t i) {
+      [&](std::size_t k) {
         ++visits;
-        nearest = std::min(nearest, (points[i] - q).squaredNorm());
+        nearest = std::min(nearest, (points[tree.order()[k]] - q).squaredNorm());
       });
     for(const Vector3& p : points)
       expected = std::min(expected, (p - q).squaredNorm());
@@ -158,8 +158,12 @@ TEST_CASE("The facing ball is the third smallest of those with all patches that 
   std::vector<double> confidence(patches.size());
   for(std::size_t i = 0; i < confidence.size(); ++i)
     confidence[i] = i % 10 == 0 ? trusted_orientation / 2 : 1;
-  const Facing_balls balls(patches, confidence);
+  const auto found = Facing_balls(patches, confidence).radii<CGAL::Sequential_tag>();
   for(std::size_t i = 0; i < patches.size(); ++i) {
+    if(confidence[i] < trusted_orientation) {
+      REQUIRE(found[i] == 0);
+      continue;
+    }
     std::vector<double> radii;
     for(std::size_t j = 0; j < patches.size(); ++j)
       if(confidence[j] >= trusted_orientation &&
@@ -168,7 +172,7 @@ TEST_CASE("The facing ball is the third smallest of those with all patches that 
         radii.push_back(ball_radius(patches[i], patches[j]));
     std::sort(radii.begin(), radii.end());
     REQUIRE(radii.size() > 2);
-    REQUIRE(balls.radius(patches[i]) == Approx(radii[2]).epsilon(1e-12));
+    REQUIRE(found[i] == Approx(radii[2]).epsilon(1e-12));
   }
-  CHECK(Facing_balls({patches[0], patches[1]}, {1, 1}).radius(patches[0]) == 0);
+  CHECK(Facing_balls({patches[0], patches[1]}, {1, 1}).radii<CGAL::Sequential_tag>()[0] == 0);
 }

@@ -88,6 +88,8 @@ public:
   std::size_t right(std::size_t node) const { return nodes_[left(node)].after; }
   /// The points, sorted into the leaves.
   const std::vector<std::size_t>& order() const { return order_; }
+  /// Their positions, in that order.
+  const std::vector<Vector3>& positions() const { return positions_; }
   /// The bounding box of every node.
   const std::vector<Box>& boxes() const { return boxes_; }
 
@@ -130,8 +132,8 @@ public:
     }
   }
 
-  /// Calls `visit(i)` for the points of all nodes with `bound(node) < limit`, where visits may lower
-  /// the limit: the minimum of a function over the points if `bound()` is none greater than its
+  /// Calls `visit(k)` for the points of all nodes with `bound(node) < limit`, as the `k`-th of
+  /// `order()`, where visits may lower the limit: the minimum of a function over the points if `bound()` is none greater than its
   /// values in the node. Of two children the one with the smaller bound comes first.
   template <typename Bound, typename Visit>
   void visit_below(const double& limit, const Bound& bound, const Visit& visit) const
@@ -154,7 +156,7 @@ public:
       }
       if(entry.first < limit)
         for(std::size_t k = nodes_[entry.second].begin; k < nodes_[entry.second].end; ++k)
-          visit(order_[k]);
+          visit(k);
     }
   }
 

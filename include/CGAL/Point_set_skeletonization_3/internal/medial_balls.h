@@ -25,45 +25,85 @@ namespace internal {
 /// between such patches only are stable medial balls: a bump or noise on one side makes none.
 constexpr double facing_normals = -0.3;
 
-/// The patches whose orientation can be trusted, for queries of the balls between them.
+/// The balls between the patches whose orientation can be trusted.
 class Facing_balls
 {
 public:
   Facing_balls(const std::vector<Patch>& patches, const std::vector<double>& confidence)
-    : patches_(patches), trusted_(trusted(confidence)),
-      tree_(trusted_.size(), [&](std::size_t k) { return patches[trusted_[k]].mean; }),
-      normals_(tree_.boxes_of([&](std::size_t k) { return patches[trusted_[k]].normal; }))
-  {}
+    : number_of_patches_(patches.size()), trusted_(trusted(confidence)),
+      tree_(trusted_.size(), [&](std::size_t i) { return patches[trusted_[i]].mean; }),
+      normal_boxes_(tree_.boxes_of([&](std::size_t i) { return patches[trusted_[i]].normal; }))
+  {
+    for(std::size_t i : tree_.order())
+      normals_.push_back(patches[trusted_[i]].normal);
+  }
 
   /// Radii of the balls that touch a patch from inside and a patch that faces it: of the three
   /// smallest the largest, so that two stray patches cannot make one. 0: nothing faces the patch.
-  double radius(const Patch& patch) const
+  template <typename ConcurrencyTag>
+  std::vector<double> radii() const
   {
-    constexpr double none = std::numeric_limits<double>::infinity();
-    std::array<double, 3> smallest{{none, none, none}};
-    const auto bound = [&](std::size_t node) {
-      const Box& box = tree_.boxes()[node];
-      const double depth = patch.normal.dot(patch.mean) - box.least(patch.normal);
-      return normals_[node].least(patch.normal) > facing_normals || !(depth > 0)
-               ? none
-               : box.squared_distance(patch.mean) / (2 * depth);
-    };
-    tree_.visit_below(smallest[2], bound, [&](std::size_t k) {
-      const Patch& other = patches_[trusted_[k]];
-      if(other.normal.dot(patch.normal) > facing_normals)
-        return;
-      const Vector3 d = other.mean - patch.mean;
-      const double depth = -patch.normal.dot(d);
-      const double squared = d.squaredNorm();
-      if(!(depth > 0) || squared >= 2 * depth * smallest[2])
-        return;
-      smallest[2] = squared / (2 * depth);
-      std::sort(smallest.begin(), smallest.end());
+    std::vector<double> result(number_of_patches_, 0);
+    constexpr std::size_t row = 64; // of patches next to each other, which touch much the same ones
+    parallel_for<ConcurrencyTag>((normals_.size() + row - 1) / row, [&](std::size_t r) {
+      std::array<Touch, 3> smallest;
+      const std::size_t end = std::min(normals_.size(), (r + 1) * row);
+      for(std::size_t k = r * row; k < end; ++k) {
+        find_smallest(k, smallest);
+        const double radius = smallest[2].radius;
+        result[trusted_[tree_.order()[k]]] = radius < infinity ? radius : 0;
+      }
     });
-    return smallest[2] < none ? smallest[2] : 0;
+    return result;
   }
 
 private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  /// A patch that a ball touches.
+  struct Touch
+  {
+    double radius = infinity;
+    std::size_t patch = none;
+    bool operator<(const Touch& other) const { return radius < other.radius; }
+  };
+
+  /// The smallest balls of a patch. What touches those of a patch nearby bounds them from the start.
+  void find_smallest(std::size_t patch, std::array<Touch, 3>& smallest) const
+  {
+    for(Touch& touch : smallest)
+      if(touch.patch != none)
+        touch.radius = radius(patch, touch.patch);
+    std::sort(smallest.begin(), smallest.end());
+    const Vector3 &mean = tree_.positions()[patch], &normal = normals_[patch];
+    const double height = normal.dot(mean);
+    const auto bound = [&](std::size_t node) {
+      if(normal_boxes_[node].least(normal) > facing_normals)
+        return infinity;
+      const Box& box = tree_.boxes()[node];
+      const double depth = height - box.least(normal);
+      return depth > 0 ? box.squared_distance(mean) / (2 * depth) : infinity;
+    };
+    tree_.visit_below(smallest[2].radius, bound, [&](std::size_t other) {
+      const Touch touch{radius(patch, other), other};
+      if(!(touch < smallest[2]) || smallest[0].patch == other || smallest[1].patch == other)
+        return;
+      smallest[2] = touch;
+      std::sort(smallest.begin(), smallest.end());
+    });
+  }
+
+  /// Of the ball of a patch that touches another one; infinite if they do not face each other.
+  double radius(std::size_t patch, std::size_t other) const
+  {
+    if(normals_[other].dot(normals_[patch]) > facing_normals)
+      return infinity;
+    const Vector3 d = tree_.positions()[other] - tree_.positions()[patch];
+    const double depth = -normals_[patch].dot(d);
+    return depth > 0 ? d.squaredNorm() / (2 * depth) : infinity;
+  }
+
   static std::vector<std::size_t> trusted(const std::vector<double>& confidence)
   {
     std::vector<std::size_t> result;
@@ -73,10 +113,11 @@ private:
     return result;
   }
 
-  const std::vector<Patch>& patches_;
+  std::size_t number_of_patches_;
   std::vector<std::size_t> trusted_;
   Box_tree tree_;
-  std::vector<Box> normals_; ///< Of every node of the tree.
+  std::vector<Box> normal_boxes_; ///< Of every node of the tree.
+  std::vector<Vector3> normals_;  ///< In the order of the tree.
 };
 
 /// One pass of a median filter over the neighbours on the surface that have a value (> 0).
@@ -136,12 +177,7 @@ template <typename ConcurrencyTag>
 std::vector<double> medial_ball_radii(const std::vector<Patch>& patches,
                                       const std::vector<double>& confidence)
 {
-  const Facing_balls balls(patches, confidence);
-  std::vector<double> radii(patches.size(), 0);
-  parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
-    if(confidence[i] >= trusted_orientation)
-      radii[i] = balls.radius(patches[i]);
-  });
+  std::vector<double> radii = Facing_balls(patches, confidence).radii<ConcurrencyTag>();
   for(int pass = 0; pass < 3; ++pass)
     radii = median_filtered(radii, patches);
   limit_slope(radii, patches);

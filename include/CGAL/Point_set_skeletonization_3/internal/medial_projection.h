@@ -125,10 +125,9 @@ inline double visible_distance(const Vector3& q, const Oriented_mixture::Level& 
   double nearest = std::numeric_limits<double>::infinity();
   level.tree.visit_below(
     nearest, [&](std::size_t node) { return level.tree.boxes()[node].squared_distance(q); },
-    [&](std::size_t i) {
-      const Oriented_attractor& a = level.attractors[i];
-      const double squared = (a.attractor.mean() - q).squaredNorm();
-      if(squared < nearest && a.seen_from(q) > 0.5)
+    [&](std::size_t k) {
+      const double squared = (level.tree.positions()[k] - q).squaredNorm();
+      if(squared < nearest && level.attractors[level.tree.order()[k]].seen_from(q) > 0.5)
         nearest = squared;
     });
   return nearest < std::numeric_limits<double>::infinity() ? std::sqrt(nearest) : 0;
