@@ -53,6 +53,8 @@ struct Box
 class Box_tree
 {
 public:
+  static constexpr std::size_t leaf_size = 8; // a handful costs as much as a node
+
   struct Node
   {
     std::size_t begin, end; ///< Of its points in `order()`.
@@ -116,6 +118,20 @@ public:
   template <typename Visit>
   void visit_within(const Vector3& center, double radius, const Visit& visit) const
   {
+    visit_leaves_within(center, radius, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t k = begin; k < end; ++k) {
+        const double squared_distance = (positions_[k] - center).squaredNorm();
+        if(squared_distance < radius * radius)
+          visit(k, squared_distance);
+      }
+    });
+  }
+
+  /// Calls `visit(begin, end)` for every leaf whose box is closer than `radius` to `center`; its
+  /// points are those of `order()` from `begin` to before `end`, `leaf_size` at most.
+  template <typename Visit>
+  void visit_leaves_within(const Vector3& center, double radius, const Visit& visit) const
+  {
     const double squared_radius = radius * radius;
     for(std::size_t n = 0; n < nodes_.size();) {
       if(boxes_[n].squared_distance(center) >= squared_radius) {
@@ -123,11 +139,7 @@ public:
         continue;
       }
       if(is_leaf(n))
-        for(std::size_t k = nodes_[n].begin; k < nodes_[n].end; ++k) {
-          const double squared_distance = (positions_[k] - center).squaredNorm();
-          if(squared_distance < squared_radius)
-            visit(k, squared_distance);
-        }
+        visit(nodes_[n].begin, nodes_[n].end);
       ++n;
     }
   }
@@ -161,8 +173,6 @@ public:
   }
 
 private:
-  static constexpr std::size_t leaf_size = 8; // a handful costs as much as a node
-
   struct Entry
   {
     Vector3 position;

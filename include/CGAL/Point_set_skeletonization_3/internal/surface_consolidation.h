@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -37,19 +38,43 @@ struct Local_fit
   double thickness = 0; ///< Square root of the smallest principal variance.
 };
 
+/// `exp(32 x)` of every element, to nine digits for -1/7 <= x <= 0, in less than half the time of
+/// `exp()`: its Taylor polynomial at x, squared five times. Refers to the argument.
+template <typename Array>
+auto exponential_of_32_times(const Array& x)
+{
+  const auto polynomial =
+    1 + x * (1 + x * (1.0 / 2 + x * (1.0 / 6 + x * (1.0 / 24 + x * (1.0 / 120 + x * (1.0 / 720 +
+    x * (1.0 / 5040)))))));
+  return polynomial.square().square().square().square().square();
+}
+
+/// A mixture with a tree over it, in whose order it is.
+struct Mixture_tree
+{
+  explicit Mixture_tree(const Gaussians& components)
+    : tree(components.size(), [&](std::size_t i) { return components[i].mean; })
+  {
+    mixture.reserve(components.size());
+    for(std::size_t i : tree.order())
+      mixture.push_back(components[i]);
+  }
+
+  Box_tree tree;
+  Gaussians mixture;
+};
+
 /// The mixture seen through windows of one size, at a resolution that fits.
 class Mixture_window
 {
 public:
-  Mixture_window(const Gaussians& mixture, double spacing, double radius) : radius_(radius)
+  Mixture_window(std::shared_ptr<const Mixture_tree> finest, double spacing, double radius)
+    : radius_(radius), components_(std::move(finest))
   {
     constexpr double resolution = 1.0 / 3; // of the radius: two dozen components in a window
-    const bool coarser = resolution * radius > spacing;
-    const Gaussians& components = coarser ? coarsened(mixture, resolution * radius) : mixture;
-    tree_ = Box_tree(components.size(), [&](std::size_t i) { return components[i].mean; });
-    mixture_.reserve(components.size());
-    for(std::size_t i : tree_.order())
-      mixture_.push_back(components[i]);
+    if(resolution * radius > spacing)
+      components_ = std::make_shared<Mixture_tree>(
+        coarsened(components_->mixture, resolution * radius));
   }
 
   double radius() const { return radius_; }
@@ -93,15 +118,35 @@ private:
   void visit(const Vector3& q, const Visit& visit) const
   {
     constexpr double reach = 1.5; // where the window has fallen to 1 %
-    const double exponent = -2 / (radius_ * radius_);
-    tree_.visit_within(q, reach * radius_, [&](std::size_t k, double squared_distance) {
-      visit(std::exp(exponent * squared_distance) * mixture_[k].weight, mixture_[k]);
+    constexpr std::size_t most = 64; // at a time: the exponentials of many are cheaper
+    Eigen::Array<double, most, 1> weights; // squared distances at first
+    std::array<const Gaussian*, most> seen;
+    std::size_t size = 0;
+    const auto visit_seen = [&] {
+      auto known = weights.head(static_cast<Eigen::Index>(size));
+      known *= -2 / (radius_ * radius_) / 32;
+      known = exponential_of_32_times(known);
+      for(std::size_t i = 0; i < size; ++i)
+        visit(known[static_cast<Eigen::Index>(i)] * seen[i]->weight, *seen[i]);
+      size = 0;
+    };
+    const double squared_reach = reach * reach * radius_ * radius_;
+    const Box_tree& tree = components_->tree;
+    tree.visit_leaves_within(q, reach * radius_, [&](std::size_t begin, std::size_t end) {
+      if(size + Box_tree::leaf_size > most)
+        visit_seen();
+      for(std::size_t k = begin; k < end; ++k) { // without a branch, which nobody could predict
+        const double squared_distance = (tree.positions()[k] - q).squaredNorm();
+        weights[static_cast<Eigen::Index>(size)] = squared_distance;
+        seen[size] = &components_->mixture[k];
+        size += squared_distance < squared_reach;
+      }
     });
+    visit_seen();
   }
 
   double radius_;
-  Gaussians mixture_; ///< In the order of the tree.
-  Box_tree tree_;
+  std::shared_ptr<const Mixture_tree> components_;
 };
 
 /// Every component and its eight nearest neighbours, nearest first.
@@ -193,13 +238,35 @@ private:
     return 2 * spacing_ * std::pow(1.4, static_cast<double>(size));
   }
 
-  Mixture_window window(std::size_t size) const
+  /// What is left of the mixture, where it is now.
+  const std::shared_ptr<const Mixture_tree>& finest()
   {
+    if(finest_)
+      return finest_;
     Gaussians kept;
+    kept.reserve(mixture_.size());
+    kept_.clear();
     for(std::size_t i = 0; i < mixture_.size(); ++i)
-      if(!result_.outlier[i])
+      if(!result_.outlier[i]) {
         kept.push_back({mixture_[i].weight, result_.positions[i], mixture_[i].covariance});
-    return Mixture_window(kept, spacing_, radius(size));
+        kept_.push_back(i);
+      }
+    finest_ = std::make_shared<Mixture_tree>(kept);
+    return finest_;
+  }
+
+  const Mixture_window& window(std::size_t size)
+  {
+    if(!windows_[size])
+      windows_[size] = std::make_unique<Mixture_window>(finest(), spacing_, radius(size));
+    return *windows_[size];
+  }
+
+  /// To be called when components have moved or been dropped.
+  void forget_windows()
+  {
+    finest_ = nullptr;
+    windows_ = {};
   }
 
   /// Chooses the size of the window and how much the components move, from nothing to all the way.
@@ -209,7 +276,7 @@ private:
     constexpr std::size_t every = 7; // some hundreds are enough
     double least = std::numeric_limits<double>::infinity();
     for(std::size_t size = 0; size < sizes; ++size) {
-      const Mixture_window view = window(size);
+      const Mixture_window& view = window(size);
       std::vector<double> roughness((mixture_.size() + every - 1) / every);
       std::vector<double> thickness(roughness.size());
       parallel_for<ConcurrencyTag>(roughness.size(), [&](std::size_t k) {
@@ -267,8 +334,6 @@ private:
     return size;
   }
 
-  using Windows = std::array<std::unique_ptr<Mixture_window>, sizes>;
-
   /// How far a limb that a window shows all around is drowned in the noise, in [0, 1]. Its radius is
   /// that of the noise where the thickness is 1.2 of that of the noise, twice that where it is 1.7.
   double drowned(const Local_fit& fit) const
@@ -278,12 +343,12 @@ private:
 
   /// What a component sees through its window. Where that shows a limb all around, narrower ones are
   /// tried, as long as they show something flatter.
-  Local_fit fit_through(const Windows& windows, std::size_t size, const Vector3& position) const
+  Local_fit fit_through(std::size_t size, const Vector3& position) const
   {
     constexpr double round = 0.2; // roughness
-    Local_fit fit = (*windows[size])(position);
+    Local_fit fit = (*windows_[size])(position);
     while(size-- > 0 && fit.roughness > round && drowned(fit) < 0.5) {
-      const Local_fit narrower = (*windows[size])(position);
+      const Local_fit narrower = (*windows_[size])(position);
       if(narrower.roughness > fit.roughness)
         break;
       const double density = fit.density; // of windows of one size only, they are compared
@@ -293,51 +358,39 @@ private:
     return fit;
   }
 
-  /// The size of the window for every component.
-  std::vector<std::size_t> window_sizes() const
+  /// The size of the window for every component that is left. Makes them, and all narrower ones.
+  std::vector<std::size_t> window_sizes()
   {
-    std::vector<std::size_t> result;
+    std::vector<std::size_t> result(mixture_.size(), 0);
     for(std::size_t i = 0; i < mixture_.size(); ++i)
-      result.push_back(size_for(i));
-    return result;
-  }
-
-  /// The windows of all components that are left, and all narrower ones.
-  Windows windows_of(const std::vector<std::size_t>& size) const
-  {
-    std::size_t largest = 0;
-    for(std::size_t i = 0; i < size.size(); ++i)
       if(!result_.outlier[i])
-        largest = std::max(largest, size[i]);
-    Windows windows;
-    for(std::size_t k = 0; k <= largest; ++k)
-      windows[k] = std::make_unique<Mixture_window>(window(k));
-    return windows;
+        result[i] = size_for(i);
+    for(std::size_t size = 0; size <= *std::max_element(result.begin(), result.end()); ++size)
+      window(size);
+    return result;
   }
 
   /// Without noise this is all there is to do. At first `scatter()` has done it in the narrowest.
   void measure_densities(bool narrowest_known)
   {
     const std::vector<std::size_t> size = window_sizes();
-    const Windows windows = windows_of(size);
     parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
       if(result_.outlier[i])
         density_[i] = 0;
       else if(!narrowest_known || size[i] > 0)
-        density_[i] = windows[size[i]]->density(result_.positions[i]);
+        density_[i] = windows_[size[i]]->density(result_.positions[i]);
     });
   }
 
   void move()
   {
     const std::vector<std::size_t> size = window_sizes();
-    const Windows windows = windows_of(size);
     density_.assign(mixture_.size(), 0);
     parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
       if(result_.outlier[i])
         return;
       Vector3& position = result_.positions[i]; // the windows keep the ones before
-      const Local_fit fit = fit_through(windows, size[i], position);
+      const Local_fit fit = fit_through(size[i], position);
       density_[i] = fit.density;
       const double blob = std::min(1.0, std::max(0.0, (fit.roughness - 0.1) / 0.2));
       const Vector3 step = fit.mean - position;
@@ -346,6 +399,7 @@ private:
       position += strength_ * ((1 - blob) * fit.normal.dot(step) * fit.normal +
                                blob * drowned(fit) * across);
     });
+    forget_windows();
   }
 
   /// A thin cloud beside a dense surface is the tail of its noise. False if there is none.
@@ -353,11 +407,10 @@ private:
   {
     constexpr double apart = 1.5;
     constexpr double thin = 0.3; // Gaussian noise at 1.6 standard deviations
-    const Box_tree tree(result_.positions.size(),
-                        [&](std::size_t i) { return result_.positions[i]; });
+    const Box_tree& tree = finest()->tree;
     std::vector<double> densities; // in the order of the tree
-    for(std::size_t i : tree.order())
-      densities.push_back(density_[i]);
+    for(std::size_t k : tree.order())
+      densities.push_back(density_[kept_[k]]);
     const double least = thin * *std::max_element(density_.begin(), density_.end());
     std::vector<char> drop(mixture_.size(), 0);
     parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
@@ -374,6 +427,8 @@ private:
     for(std::size_t i = 0; i < mixture_.size(); ++i)
       if(drop[i])
         any = result_.outlier[i] = true;
+    if(any)
+      forget_windows();
     return any;
   }
 
@@ -384,6 +439,9 @@ private:
   std::vector<double> density_;
   std::size_t size_ = 0;
   double strength_ = 0;
+  std::vector<std::size_t> kept_; ///< The components of `finest_`, before it was sorted.
+  std::shared_ptr<const Mixture_tree> finest_;
+  std::array<std::unique_ptr<Mixture_window>, sizes> windows_;
   double noise_ = 0; ///< Thickness of the noisy surface: one standard deviation.
   Consolidated_surface result_;
 };
