@@ -34,6 +34,7 @@ public:
       tree_(trusted_.size(), [&](std::size_t i) { return patches[trusted_[i]].mean; }),
       normal_boxes_(tree_.boxes_of([&](std::size_t i) { return patches[trusted_[i]].normal; }))
   {
+    normals_.reserve(trusted_.size());
     for(std::size_t i : tree_.order())
       normals_.push_back(patches[trusted_[i]].normal);
   }

@@ -52,6 +52,7 @@ inline void orient_patches(std::vector<Patch>& patches)
 {
   using Step = std::tuple<double, std::size_t, std::size_t>; // trust, to, from
   std::vector<bool> done(patches.size(), false);
+  std::vector<double> best(patches.size(), 0); // trust of the steps to a patch: others come too late
   std::vector<std::size_t> piece;
   for(std::size_t root = 0; root < patches.size(); ++root) {
     if(done[root])
@@ -68,11 +69,16 @@ inline void orient_patches(std::vector<Patch>& patches)
       piece.push_back(i);
       if(continuation(patches[from], patches[i]) < 0)
         patches[i].normal = -patches[i].normal;
-      for(std::size_t j : patches[i].neighbors)
-        if(!done[j])
-          front.emplace(std::abs(continuation(patches[i], patches[j])) *
-                          std::min(patches[i].planarity, patches[j].planarity),
-                        j, i);
+      for(std::size_t j : patches[i].neighbors) {
+        if(done[j])
+          continue;
+        const double trust = std::abs(continuation(patches[i], patches[j])) *
+                             std::min(patches[i].planarity, patches[j].planarity);
+        if(trust >= best[j]) {
+          best[j] = trust;
+          front.emplace(trust, j, i);
+        }
+      }
     }
     turn_outwards(patches, piece);
   }
