@@ -46,7 +46,7 @@ public:
   void fit(bool single_component)
   {
     smooth(graph_);
-    graph_ = resampled(graph_, surface_.spacing);
+    resample();
     measure_radii();
     bridge(single_component);
     centre();
@@ -69,13 +69,24 @@ public:
   }
 
 private:
+  /// Vertices a spacing apart; where points coincide that may be next to nothing, but a skeleton has no
+  /// more vertices than samples.
+  void resample()
+  {
+    double length = 0;
+    for(const Skeleton_graph::Edge& e : graph_.edges)
+      length += (graph_.vertices[e.first].position - graph_.vertices[e.second].position).norm();
+    const double least = length / static_cast<double>(samples_.size());
+    graph_ = resampled(graph_, std::max(surface_.spacing, least));
+  }
+
   void bridge(bool single_component)
   {
     Bridging bridging(graph_, surface_.spacing);
     bridging.bridge_gaps();
     if(single_component)
       bridging.join_all();
-    graph_ = resampled(graph_, surface_.spacing);
+    resample();
   }
 
   void centre()
@@ -91,7 +102,7 @@ private:
     measure_radii();
     correct_radii(points);
     extend_ends(graph_, points, [this](const Vector3& q) { return is_inside(q); });
-    graph_ = resampled(graph_, surface_.spacing);
+    resample();
   }
 
   /// As far as one knows: in noise a thin limb has no inside that could be told.
