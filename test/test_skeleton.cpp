@@ -61,7 +61,7 @@ void check_centred(const Skeleton& skeleton, const shapes::Shape& shape)
 {
   const std::vector<double> offset = offsets(skeleton, shape);
   CHECK(*std::max_element(offset.begin(), offset.end()) < 1);
-  CHECK(median(offset) < 0.2);
+  CHECK(median(offset) < 0.1);
 }
 
 // Every vertex has a radius that is true at its place, and the radius of the tube in the middle.
@@ -113,7 +113,7 @@ TEST_CASE("A cylinder is one branch along its axis, from cap to cap")
       check_centred(skeleton, shape);
       check_radii(skeleton, shape);
       for(double offset : offsets(skeleton, shape))
-        CHECK(offset < 0.35);
+        CHECK(offset < 0.1);
       for(double side : {-1, 1})
         CHECK(distance_to_nearest_end(skeleton, Vector(side * (0.5 + radius), 0, 0)) <
               1.3 * radius);
