@@ -251,7 +251,7 @@ TEST_CASE("More points than a part of a cloud and more cells than the fine grid 
   // Nearly every point has a cell of the finest grid.
   const Points points = cloud(300000, 7);
   Grid_options options;
-  options.maximum_patches = 1000;
+  options.minimum_patches = options.maximum_patches = 200; // so few that the points are worth parts
   const Levels sequential = levels_of(points, options);
   CHECK(sequential.front().cells.size() <= options.maximum_patches);
   check_equal(total(sequential.front().gaussians()), total(points));

@@ -247,8 +247,11 @@ template <typename ConcurrencyTag>
 Fine_grid<Occupied_cells> occupied_cells(const Point_blocks& points, std::size_t maximum_cells)
 {
   constexpr bool parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
-  std::vector<Fine_grid<Occupied_cells>> parts(parallel ? cloud_parts : 1,
-                                               Fine_grid<Occupied_cells>(maximum_cells));
+  // A part of fewer points has nearly as many cells, and the union costs more than the parts save.
+  const std::size_t worth_a_part = 16 * maximum_cells;
+  std::vector<Fine_grid<Occupied_cells>> parts(
+    parallel ? std::min(cloud_parts, 1 + points.size() / worth_a_part) : 1,
+    Fine_grid<Occupied_cells>(maximum_cells));
   parallel_for<ConcurrencyTag>(parts.size(), [&](std::size_t k) {
     points.visit_part(k, parts.size(), [&](std::size_t, const Vector3& p) { parts[k].add(p); });
   });
