@@ -145,8 +145,9 @@ public:
   }
 
   /// Calls `visit(k)` for the points of all nodes with `bound(node) < limit`, as the `k`-th of
-  /// `order()`, where visits may lower the limit: the minimum of a function over the points if `bound()` is none greater than its
-  /// values in the node. Of two children the one with the smaller bound comes first.
+  /// `order()`, where visits may lower the limit: the minimum of a function over the points if
+  /// `bound()` is none greater than its values in the node. Of two children the one with the smaller
+  /// bound comes first.
   template <typename Bound, typename Visit>
   void visit_below(const double& limit, const Bound& bound, const Visit& visit) const
   {

@@ -222,9 +222,9 @@ private:
 
   Surface_quotient_options options_;
   Grid_mixture grid_;
-  std::vector<std::size_t> patch_of_component_;   ///< `none` for outliers.
-  std::vector<std::size_t> vertex_of_component_;  ///< `none` for outliers.
-  double noise_ = 0;                            ///< In [0, 1].
+  std::vector<std::size_t> patch_of_component_;  ///< `none` for outliers.
+  std::vector<std::size_t> vertex_of_component_; ///< `none` for outliers.
+  double noise_ = 0;                             ///< In [0, 1].
   std::unique_ptr<Oriented_surface<ConcurrencyTag>> surface_;
 };
 

@@ -116,10 +116,13 @@ void set_public_skeleton(const Skeletonization_stages& stages, const Normalizati
   }
   for(const Skeleton_graph::Edge& e : graph.edges)
     add_edge(vertex(e.first, result), vertex(e.second, result), result);
-  skeleton = result; // BGL graphs are copied, so without indices
+  // BGL graphs are copied, so without the indices. These come before, as they may not fit.
   using Indices = typename Indices_of<SkeletonGraph>::type;
-  if constexpr(!std::is_void<Indices>::value) {
+  if constexpr(std::is_void<Indices>::value)
+    skeleton = result;
+  else {
     std::vector<Indices> indices = points_of_vertices<Indices>(stages);
+    skeleton = result;
     for(std::size_t v = 0; v < indices.size(); ++v)
       skeleton[vertex(v, skeleton)].indices = std::move(indices[v]);
   }
