@@ -20,34 +20,25 @@ namespace parameters {
 // the parameters of this package take the rest of the chain as an optional second argument:
 // `as_published(true)`, `as_published(true, CGAL::parameters::point_map(map))`.
 
-/// The named parameter `as_published`.
-inline Named_function_parameters<bool, internal_np::as_published_t> as_published(bool value)
+/// Makes a named parameter that is `true` or `false`, alone or in front of others.
+template <typename Tag>
+struct Boolean_parameter
 {
-  return {value};
-}
+  Named_function_parameters<bool, Tag> operator()(bool value) const { return {value}; }
 
-template <typename T, typename Tag, typename Base>
-Named_function_parameters<bool, internal_np::as_published_t,
-                          Named_function_parameters<T, Tag, Base>>
-as_published(bool value, const Named_function_parameters<T, Tag, Base>& rest)
-{
-  return {value, rest};
-}
+  template <typename T, typename OtherTag, typename Base>
+  Named_function_parameters<bool, Tag, Named_function_parameters<T, OtherTag, Base>>
+  operator()(bool value, const Named_function_parameters<T, OtherTag, Base>& rest) const
+  {
+    return {value, rest};
+  }
+};
+
+/// The named parameter `as_published`.
+inline constexpr Boolean_parameter<internal_np::as_published_t> as_published{};
 
 /// The named parameter `single_component`.
-inline Named_function_parameters<bool, internal_np::single_component_t>
-single_component(bool value)
-{
-  return {value};
-}
-
-template <typename T, typename Tag, typename Base>
-Named_function_parameters<bool, internal_np::single_component_t,
-                          Named_function_parameters<T, Tag, Base>>
-single_component(bool value, const Named_function_parameters<T, Tag, Base>& rest)
-{
-  return {value, rest};
-}
+inline constexpr Boolean_parameter<internal_np::single_component_t> single_component{};
 
 } // namespace parameters
 } // namespace CGAL
