@@ -59,6 +59,31 @@ inline void check_skeleton(const Method_result& result, const Method_input& inpu
   CHECK(median_off_axis(result.skeleton, shape) < off);
 }
 
+/// How far off the axis the vertices of a method may be on simple shapes, in radii.
+struct Off_axis
+{
+  double worst_of_cylinder;
+  double median_of_tree; ///< Of a cylinder and a Y.
+  double median_of_ring;
+};
+
+/// Checks a method on simple shapes: a cylinder is one branch, a Y has three ends that meet in one
+/// junction, a ring is one cycle. `input_of(shape)` makes its input.
+template <typename Method, typename Input_of>
+void check_simple_shapes(const Method& method, const Input_of& input_of, const Off_axis& off)
+{
+  const auto check = [&](const Shape& shape, std::size_t cycles, std::size_t ends, double median) {
+    const Method_input input = input_of(shape);
+    const Method_result result = method(input);
+    check_skeleton(result, input, shape, 1, cycles, ends, median);
+    return result.skeleton;
+  };
+  const Skeleton straight = check(cylinder(), 0, 2, off.median_of_tree);
+  CHECK(off_axis(straight, cylinder()).back() < off.worst_of_cylinder);
+  CHECK(count_graph(check(y_junction(), 0, 3, off.median_of_tree)).junctions == 1);
+  check(ring(), 1, 0, off.median_of_ring);
+}
+
 } // namespace shapes
 
 #endif // POINT_SET_SKELETONIZATION_3_TEST_METHOD_CHECKS_H

@@ -9,7 +9,6 @@
 
 #include "methods/l1_wlop.h"
 
-#include <cstddef>
 #include <stdexcept>
 
 namespace {
@@ -22,31 +21,12 @@ Method_input points_of(const shapes::Shape& shape)
   return input;
 }
 
-Skeleton check(const shapes::Shape& shape, std::size_t components, std::size_t cycles,
-               std::size_t ends, double off)
-{
-  const Method_input input = points_of(shape);
-  const Method_result result = l1_wlop(input);
-  shapes::check_skeleton(result, input, shape, components, cycles, ends, off);
-  return result.skeleton;
-}
-
 } // namespace
 
-TEST_CASE("L1-WLOP: a cylinder is one branch on the axis")
+TEST_CASE("L1-WLOP: a cylinder is one branch, a Y has three ends, a ring is one cycle")
 {
-  const Skeleton skeleton = check(shapes::cylinder(), 1, 0, 2, 0.1);
-  CHECK(shapes::off_axis(skeleton, shapes::cylinder()).back() < 0.2);
-}
-
-TEST_CASE("L1-WLOP: a Y has three ends")
-{
-  CHECK(count_graph(check(shapes::y_junction(), 1, 0, 3, 0.1)).junctions == 1);
-}
-
-TEST_CASE("L1-WLOP: a ring is one cycle")
-{
-  check(shapes::ring(), 1, 1, 0, 0.2); // medians of arcs lie inwards
+  const shapes::Off_axis off = {0.2, 0.1, 0.2}; // medians of arcs lie inwards
+  shapes::check_simple_shapes(l1_wlop, points_of, off);
 }
 
 TEST_CASE("L1-WLOP: parts that are apart stay apart")

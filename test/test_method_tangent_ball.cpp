@@ -9,36 +9,21 @@
 
 #include "methods/tangent_ball.h"
 
-#include <cstddef>
 #include <stdexcept>
 
 namespace {
 
-Skeleton check(const shapes::Shape& shape, std::size_t components, std::size_t cycles,
-               std::size_t ends, double off)
+Method_input input_of(const shapes::Shape& shape)
 {
-  const Method_input input = shapes::method_input(shape);
-  const Method_result result = tangent_ball(input);
-  shapes::check_skeleton(result, input, shape, components, cycles, ends, off);
-  return result.skeleton;
+  return shapes::method_input(shape);
 }
 
 } // namespace
 
-TEST_CASE("Tangent balls: a cylinder is one branch on the axis")
+TEST_CASE("Tangent balls: a cylinder is one branch, a Y has three ends, a ring is one cycle")
 {
-  const Skeleton skeleton = check(shapes::cylinder(), 1, 0, 2, 0.1);
-  CHECK(shapes::off_axis(skeleton, shapes::cylinder()).back() < 0.1);
-}
-
-TEST_CASE("Tangent balls: a Y has three ends")
-{
-  CHECK(count_graph(check(shapes::y_junction(), 1, 0, 3, 0.1)).junctions == 1);
-}
-
-TEST_CASE("Tangent balls: a ring is one cycle")
-{
-  check(shapes::ring(), 1, 1, 0, 0.1);
+  const shapes::Off_axis off = {0.1, 0.1, 0.1};
+  shapes::check_simple_shapes(tangent_ball, input_of, off);
 }
 
 TEST_CASE("Tangent balls: their radius is that of the tube")
@@ -51,7 +36,8 @@ TEST_CASE("Tangent balls: their radius is that of the tube")
 
 TEST_CASE("Tangent balls: every component has a skeleton of its own")
 {
-  check(shapes::two_parts(), 2, 0, 4, 0.1);
+  const Method_input input = input_of(shapes::two_parts());
+  shapes::check_skeleton(tangent_ball(input), input, shapes::two_parts(), 2, 0, 4, 0.1);
 }
 
 TEST_CASE("Tangent balls: normals that point inwards are an error")
