@@ -16,6 +16,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -141,16 +142,20 @@ std::vector<Sample> medial_samples(const std::vector<Patch>& patches,
                                    const std::vector<double>& ball_radii,
                                    const Projection_options& options)
 {
+  const auto center = [&](std::size_t i) {
+    return Vector3(patches[i].mean - ball_radii[i] * patches[i].normal);
+  };
+  const auto around_centers = winding_number.beside_patches<ConcurrencyTag>(
+    [&](std::size_t i) { return std::array<Vector3, 1>{{center(i)}}; });
   std::vector<Sample> samples(patches.size());
   parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
     Sample& s = samples[i];
     s.origin = s.position = patches[i].mean;
     s.kernel_radius = options.kernel_ratio * std::max(ball_radii[i], patches[i].spacing / 2);
-    const Vector3 center = patches[i].mean - ball_radii[i] * patches[i].normal;
     // Else the normal points the wrong way: let the projection find the way in.
-    s.inside = confidence[i] >= trusted_orientation && winding_number(center) >= least_inside;
+    s.inside = confidence[i] >= trusted_orientation && around_centers[i][0] >= least_inside;
     if(s.inside)
-      s.position = center;
+      s.position = center(i);
   });
   return samples;
 }

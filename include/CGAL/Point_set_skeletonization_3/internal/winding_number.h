@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -30,42 +31,106 @@ constexpr double least_inside = 0.25;
 /// The patches are dipoles, and what is far away counts as the first two terms of its Taylor
 /// expansion (Barill et al. 2018). Patches closer than half their spacing are left out: a dipole says
 /// nothing about its own neighbourhood.
+///
+/// In single precision, as large as the patches: it is compared with a quarter or a half, and several
+/// places close to each other cost hardly more than one.
 class Winding_number
 {
 public:
   explicit Winding_number(const std::vector<Patch>& patches)
     : tree_(patches.size(), [&](std::size_t i) { return patches[i].mean; })
   {
-    dipoles_.reserve(patches.size());
+    if(patches.empty())
+      return;
+    const Box& box = tree_.boxes().front();
+    origin_ = (box.lower + box.upper) / 2;
+    unit_ = std::max((box.upper - box.lower).maxCoeff(), std::numeric_limits<double>::min());
+    std::vector<Dipole> dipoles;
+    dipoles.reserve(patches.size());
     for(std::size_t i : tree_.order())
-      dipoles_.push_back({patches[i].mean, patches[i].planarity * patches[i].area * patches[i].normal,
-                          patches[i].spacing * patches[i].spacing / 4});
+      dipoles.push_back({(patches[i].mean - origin_) / unit_,
+                         patches[i].planarity * patches[i].area / (unit_ * unit_) * patches[i].normal,
+                         patches[i].spacing / (2 * unit_)});
+    dipoles_.assign(dipoles.begin(), dipoles.end());
     groups_.reserve(tree_.nodes().size());
     for(const Box_tree::Node& node : tree_.nodes())
-      groups_.emplace_back(dipoles_.data() + node.begin, dipoles_.data() + node.end);
+      groups_.emplace_back(dipoles.data() + node.begin, dipoles.data() + node.end);
   }
 
-  double operator()(const Vector3& q) const { return at(std::array<Vector3, 1>{{q}})[0]; }
+  double operator()(const Vector3& q) const { return (*this)(std::array<Vector3, 1>{{q}})[0]; }
 
-  /// At two places close to each other, in little more time than at one.
-  std::array<double, 2> operator()(const Vector3& p, const Vector3& q) const
+  /// At places close to each other.
+  template <std::size_t N>
+  std::array<double, N> operator()(const std::array<Vector3, N>& places) const
   {
-    return at(std::array<Vector3, 2>{{p, q}});
+    Eigen::Array<float, N, 3> q;
+    for(std::size_t k = 0; k < N; ++k)
+      q.row(static_cast<Eigen::Index>(k)) =
+        ((places[k] - origin_) / unit_).transpose().template cast<float>();
+    const Values<N> sum = at<N>(q);
+    std::array<double, N> result;
+    for(std::size_t k = 0; k < N; ++k)
+      result[k] = static_cast<double>(sum[static_cast<Eigen::Index>(k)]) / (4 * CGAL_PI);
+    return result;
+  }
+
+  /// At some places for every patch, the array `places(i)`; quick if those of patches next to each
+  /// other are close.
+  template <typename ConcurrencyTag, typename Places>
+  auto beside_patches(const Places& places) const
+  {
+    constexpr std::size_t row = 8; // of patches
+    constexpr std::size_t each = std::tuple_size<decltype(places(0))>::value;
+    const std::vector<std::size_t>& order = tree_.order();
+    std::vector<std::array<double, each>> result(order.size());
+    parallel_for<ConcurrencyTag>((order.size() + row - 1) / row, [&](std::size_t r) {
+      const std::size_t first = r * row, last = order.size() - 1;
+      std::array<Vector3, row * each> all;
+      for(std::size_t k = 0; k < row; ++k) {
+        const auto own = places(order[std::min(first + k, last)]);
+        std::copy(own.begin(), own.end(), all.begin() + k * each);
+      }
+      const auto values = (*this)(all);
+      for(std::size_t k = 0; k < row && first + k <= last; ++k)
+        std::copy_n(values.begin() + k * each, each, result[order[first + k]].begin());
+    });
+    return result;
   }
 
 private:
+  template <std::size_t N>
+  using Values = Eigen::Array<float, N, 1>;
+
+  /// A patch.
   struct Dipole
   {
     Vector3 position;
-    Vector3 moment;       ///< Normal times area.
-    double squared_reach; ///< Below this squared distance it does not count.
+    Vector3 moment; ///< Normal times area.
+    double reach;   ///< Closer than that it does not count.
+  };
 
-    double at(const Vector3& q) const
+  struct Near_dipole
+  {
+    Near_dipole(const Dipole& d)
+      : position(d.position.cast<float>()), moment(d.moment.cast<float>()),
+        squared_reach(static_cast<float>(d.reach * d.reach))
+    {}
+
+    template <std::size_t N>
+    Values<N> at(const Eigen::Array<float, N, 3>& q) const
     {
-      const Vector3 d = position - q;
-      const double squared = d.squaredNorm();
-      return squared > squared_reach ? moment.dot(d) / (squared * std::sqrt(squared)) : 0;
+      const Values<N> x = position.x() - q.col(0), y = position.y() - q.col(1),
+                      z = position.z() - q.col(2);
+      const Values<N> squared = x * x + y * y + z * z;
+      // Whether they count, 0 or 1.
+      const Values<N> count =
+        ((squared - squared_reach) * std::numeric_limits<float>::max()).max(0).min(1);
+      const Values<N> known = squared.max(squared_reach);
+      return count * (moment.x() * x + moment.y() * y + moment.z() * z) / (known * known.sqrt());
     }
+
+    Eigen::Vector3f position, moment;
+    float squared_reach;
   };
 
   /// Dipoles seen from far away.
@@ -74,79 +139,80 @@ private:
     Group(const Dipole* begin, const Dipole* end)
     {
       double weight = 0;
+      Vector3 middle = Vector3::Zero(), sum = Vector3::Zero();
       for(const Dipole* dipole = begin; dipole != end; ++dipole) {
         weight += dipole->moment.norm();
-        center += dipole->moment.norm() * dipole->position;
+        middle += dipole->moment.norm() * dipole->position;
       }
-      center = weight > 0 ? Vector3(center / weight) : begin->position;
+      middle = weight > 0 ? Vector3(middle / weight) : begin->position;
       Matrix3 second = Matrix3::Zero(); // sum of offsets from the centre times moments
       double radius = 0, dipole_reach = 0;
       for(const Dipole* dipole = begin; dipole != end; ++dipole) {
-        const Vector3 offset = dipole->position - center;
-        moment += dipole->moment;
+        const Vector3 offset = dipole->position - middle;
+        sum += dipole->moment;
         second += offset * dipole->moment.transpose();
         radius = std::max(radius, offset.norm());
-        dipole_reach = std::max(dipole_reach, std::sqrt(dipole->squared_reach));
+        dipole_reach = std::max(dipole_reach, dipole->reach);
       }
-      diagonal = Vector3::Constant(second.trace()) - 3 * second.diagonal();
+      center = middle.cast<float>();
+      moment = sum.cast<float>();
+      diagonal = (Vector3::Constant(second.trace()) - 3 * second.diagonal()).cast<float>();
       mixed = -3 * Vector3(second(1, 2) + second(2, 1), second(2, 0) + second(0, 2),
-                           second(0, 1) + second(1, 0));
+                           second(0, 1) + second(1, 0)).cast<float>();
       // How many radii away the expansion starts to count. The error at 3 is 0.006 in the mean and
       // 0.03 at most, below what the dipoles themselves are wrong by near the surface; at 2 it is
       // three times that, for two thirds of the time.
       constexpr double beta = 3;
-      const double reach = std::max(beta * radius, radius + dipole_reach);
-      squared_reach = reach * reach;
+      reach = static_cast<float>(std::max(beta * radius, radius + dipole_reach));
     }
 
-    /// The sum of the dipoles at a place that lies `-d` from the centre.
-    double far(const Vector3& d, double squared) const
+    /// The sum of its dipoles.
+    template <std::size_t N>
+    Values<N> at(const Eigen::Array<float, N, 3>& q) const
     {
-      const double quadratic = d.x() * (diagonal.x() * d.x() + mixed.z() * d.y()) +
-                               d.y() * (diagonal.y() * d.y() + mixed.x() * d.z()) +
-                               d.z() * (diagonal.z() * d.z() + mixed.y() * d.x());
-      return (moment.dot(d) + quadratic / squared) / (squared * std::sqrt(squared));
+      const Values<N> x = center.x() - q.col(0), y = center.y() - q.col(1),
+                      z = center.z() - q.col(2);
+      const Values<N> squared = x * x + y * y + z * z;
+      const Values<N> linear = moment.x() * x + moment.y() * y + moment.z() * z;
+      const Values<N> quadratic = x * (diagonal.x() * x + mixed.z() * y) +
+                                  y * (diagonal.y() * y + mixed.x() * z) +
+                                  z * (diagonal.z() * z + mixed.y() * x);
+      return (linear * squared + quadratic) / (squared * squared * squared.sqrt());
     }
 
-    Vector3 center = Vector3::Zero(); ///< Of their area.
-    Vector3 moment = Vector3::Zero();
-    Vector3 diagonal, mixed;  ///< The second term: a quadratic form of xx, yy, zz and yz, zx, xy.
-    double squared_reach = 0; ///< Beyond this squared distance `far()` holds.
+    Eigen::Vector3f center;   ///< Of their area.
+    Eigen::Vector3f moment;
+    Eigen::Vector3f diagonal, mixed; ///< The second term: a quadratic form of xx, yy, zz and yz, zx, xy.
+    float reach;      ///< Beyond this distance from the centre that holds.
   };
 
   template <std::size_t N>
-  std::array<double, N> at(const std::array<Vector3, N>& places) const
+  Values<N> at(const Eigen::Array<float, N, 3>& q) const
   {
-    std::array<double, N> sum{}, squared;
-    std::array<Vector3, N> d;
+    const Eigen::Vector3f middle = q.colwise().mean().matrix().transpose();
+    const float radius = (q.matrix().rowwise() - middle.transpose()).rowwise().norm().maxCoeff();
+    Values<N> sum = Values<N>::Zero();
     for(std::size_t n = 0; n < groups_.size();) {
       const Group& group = groups_[n];
-      double nearest = std::numeric_limits<double>::infinity();
-      for(std::size_t k = 0; k < N; ++k) {
-        d[k] = group.center - places[k];
-        squared[k] = d[k].squaredNorm();
-        nearest = std::min(nearest, squared[k]);
-      }
-      if(nearest > group.squared_reach) {
-        for(std::size_t k = 0; k < N; ++k)
-          sum[k] += group.far(d[k], squared[k]);
+      const float away = group.reach + radius;
+      if((group.center - middle).squaredNorm() > away * away) {
+        sum += group.template at<N>(q);
         n = tree_.nodes()[n].after;
         continue;
       }
       if(tree_.is_leaf(n))
         for(std::size_t i = tree_.nodes()[n].begin; i < tree_.nodes()[n].end; ++i)
-          for(std::size_t k = 0; k < N; ++k)
-            sum[k] += dipoles_[i].at(places[k]);
+          sum += dipoles_[i].template at<N>(q);
       ++n;
     }
-    for(double& value : sum)
-      value /= 4 * CGAL_PI;
     return sum;
   }
 
   Box_tree tree_;
-  std::vector<Dipole> dipoles_; ///< In the order of the tree.
-  std::vector<Group> groups_;   ///< Of every node of the tree.
+  Vector3 origin_ = Vector3::Zero(); ///< In the middle of the patches,
+  double unit_ = 1;                  ///< and how large they all are.
+  std::vector<Near_dipole> dipoles_; ///< In the order of the tree.
+  std::vector<Group> groups_;        ///< Of every node of the tree.
 };
 
 /// Turns the patches around whose normals point into the shape: the spanning tree of the orientation
@@ -158,12 +224,12 @@ template <typename ConcurrencyTag>
 std::unique_ptr<Winding_number> settle_orientation(std::vector<Patch>& patches)
 {
   std::unique_ptr<Winding_number> winding_number;
-  std::vector<std::array<double, 2>> sides(patches.size()); // in front of a patch and behind it
+  std::vector<std::array<double, 2>> sides; // in front of a patch and behind it
   const auto look = [&] {
     winding_number = std::make_unique<Winding_number>(patches);
-    parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
+    sides = winding_number->template beside_patches<ConcurrencyTag>([&](std::size_t i) {
       const Vector3 step = patches[i].spacing * patches[i].normal;
-      sides[i] = (*winding_number)(patches[i].mean + step, patches[i].mean - step);
+      return std::array<Vector3, 2>{{patches[i].mean + step, patches[i].mean - step}};
     });
   };
   const auto turn_where = [&](const auto& is_wrong) {
