@@ -7,11 +7,14 @@
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 #include <CGAL/Point_set_skeletonization_3/internal/samples.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -35,10 +38,10 @@ struct Local_separator
 class Patch_edges
 {
 public:
-  struct Edge
+  struct Edge // small: most of the time of a region goes into reading them
   {
-    std::size_t patch;
-    double length;
+    std::uint32_t patch;
+    float length;
   };
 
   /// All edges.
@@ -51,10 +54,12 @@ public:
   Patch_edges(const std::vector<Patch>& patches, const Predicate& has)
       : first_(1, 0)
   {
+    CGAL_precondition(patches.size() <= std::numeric_limits<std::uint32_t>::max());
     for(std::size_t i = 0; i < patches.size(); ++i) {
       for(std::size_t j : patches[i].neighbors)
         if(has(i, j))
-          edges_.push_back({j, (patches[i].mean - patches[j].mean).norm()});
+          edges_.push_back({static_cast<std::uint32_t>(j),
+                            static_cast<float>((patches[i].mean - patches[j].mean).norm())});
       first_.push_back(edges_.size());
     }
   }
@@ -127,7 +132,7 @@ private:
   /// the default.
   struct Nearest
   {
-    double distance = 0;
+    float distance = 0;
     int part = 0;
     bool operator<(const Nearest& other) const
     {
@@ -135,7 +140,7 @@ private:
     }
   };
 
-  enum Label : char { outside, region, front, part_of_front };
+  enum Label : char { outside, region, front, part_of_front, between, on_separator };
 
   void add_to_front(std::size_t i)
   {
@@ -180,25 +185,26 @@ private:
   std::vector<Part> connected_parts()
   {
     std::vector<Part> parts;
+    std::vector<std::size_t>& found = found_;
+    found.clear();
     for(std::size_t start : front_) {
       if(label_[start] != front)
         continue;
-      Part part;
+      std::size_t next = found.size();
+      const std::size_t first = next;
       const auto add = [&](std::size_t i) {
         label_[i] = part_of_front;
-        part.push_back(i);
+        found.push_back(i);
       };
-      add(start);
-      for(std::size_t next = 0; next < part.size() && part.size() < front_.size(); ++next)
-        for(const auto& edge : edges_[part[next]])
+      for(add(start); next < found.size() && found.size() < front_.size(); ++next)
+        for(const auto& edge : edges_[found[next]])
           if(label_[edge.patch] == front)
             add(edge.patch);
-      parts.push_back(std::move(part));
+      if(found.size() - first < front_.size())
+        parts.emplace_back(found.begin() + static_cast<std::ptrdiff_t>(first), found.end());
     }
     for(std::size_t i : front_)
       label_[i] = front;
-    if(parts.size() == 1)
-      return {};
     for(Part& part : parts)
       std::sort(part.begin(), part.end());
     std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
@@ -225,37 +231,37 @@ private:
   {
     find_nearest(parts);
     const auto half = [&](std::size_t i) { return nearest_[i].part; };
-    const auto beyond = [&](std::size_t i) {
-      return std::binary_search(parts[0].begin(), parts[0].end(), i) ||
-             std::binary_search(parts[1].begin(), parts[1].end(), i);
+    Local_separator result;
+    const auto add = [&](std::size_t i) { // not of the parts themselves
+      if(label_[i] != between)
+        return;
+      label_[i] = on_separator;
+      result.patches.push_back(i);
     };
     // Of the first half what touches the second; of the second what touches the first part.
-    Local_separator result;
     const auto in_second_half = [&](const Patch_edges::Edge& edge) {
       return half(edge.patch) == 2;
     };
     for(const std::vector<std::size_t>* visited : {&region_, &front_})
       for(std::size_t i : *visited)
-        if(half(i) == 1 && std::any_of(edges_[i].begin(), edges_[i].end(), in_second_half) &&
-           !beyond(i))
-          result.patches.push_back(i);
+        if(label_[i] == between && half(i) == 1 &&
+           std::any_of(edges_[i].begin(), edges_[i].end(), in_second_half))
+          add(i);
     for(std::size_t i : parts[0])
       for(const auto& edge : edges_[i])
-        if(in_second_half(edge) && !beyond(edge.patch))
-          result.patches.push_back(edge.patch);
-    const auto sort_once = [](std::vector<std::size_t>& set) {
-      std::sort(set.begin(), set.end());
-      set.erase(std::unique(set.begin(), set.end()), set.end());
-    };
-    sort_once(result.patches);
+        if(in_second_half(edge))
+          add(edge.patch);
+    std::sort(result.patches.begin(), result.patches.end());
     for(std::size_t i : result.patches) {
       result.length += patches_[i].spacing;
-      for(std::size_t j : patches_[i].neighbors)
-        if(half(j) != 0 && !std::binary_search(result.patches.begin(), result.patches.end(), j))
-          result.sides[static_cast<std::size_t>(half(j) - 1)].push_back(j);
+      for(const auto& edge : edges_[i])
+        if(half(edge.patch) != 0 && label_[edge.patch] != on_separator)
+          result.sides[static_cast<std::size_t>(half(edge.patch) - 1)].push_back(edge.patch);
     }
-    for(std::vector<std::size_t>& side : result.sides)
-      sort_once(side);
+    for(std::vector<std::size_t>& side : result.sides) {
+      std::sort(side.begin(), side.end());
+      side.erase(std::unique(side.begin(), side.end()), side.end());
+    }
     for(const std::vector<std::size_t>* visited : {&region_, &front_})
       for(std::size_t i : *visited)
         nearest_[i] = Nearest();
@@ -263,26 +269,30 @@ private:
   }
 
   /// For every patch of the region and its front which of the first two parts is nearer along the
-  /// surface.
+  /// surface; labels those that belong to neither.
   void find_nearest(const std::vector<Part>& parts)
   {
+    for(const std::vector<std::size_t>* visited : {&region_, &front_})
+      for(std::size_t i : *visited) {
+        label_[i] = between;
+        nearest_[i].distance = std::numeric_limits<float>::infinity();
+      }
     // In the order of the number of steps, which is nearly that of the distance: what has to be
     // corrected costs less than a heap would.
-    std::vector<std::pair<double, std::size_t>> queue;
+    queue_.clear();
     const auto visit = [&](const Nearest& nearest, std::size_t i) {
       if(nearest < nearest_[i]) {
         nearest_[i] = nearest;
-        queue.emplace_back(nearest.distance, i);
+        queue_.emplace_back(nearest.distance, i);
       }
     };
-    for(const std::vector<std::size_t>* visited : {&region_, &front_})
-      for(std::size_t i : *visited)
-        nearest_[i].distance = std::numeric_limits<double>::infinity();
     for(int k = 0; k < 2; ++k)
-      for(std::size_t i : parts[static_cast<std::size_t>(k)])
+      for(std::size_t i : parts[static_cast<std::size_t>(k)]) {
+        label_[i] = front;
         visit({0, k + 1}, i);
-    for(std::size_t next = 0; next < queue.size(); ++next) {
-      const auto [distance, i] = queue[next];
+      }
+    for(std::size_t next = 0; next < queue_.size(); ++next) {
+      const auto [distance, i] = queue_[next];
       const Nearest nearest = nearest_[i];
       if(distance > nearest.distance)
         continue; // came there on a shorter way
@@ -302,6 +312,10 @@ private:
   std::vector<Label> label_;
   std::vector<double> distance_; ///< To the centre, of the front.
   std::vector<Nearest> nearest_; ///< Default outside.
+
+  // Memory of `connected_parts()` and `find_nearest()`.
+  std::vector<std::size_t> found_;
+  std::vector<std::pair<float, std::size_t>> queue_;
 };
 
 } // namespace internal

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -48,6 +49,17 @@ public:
       points_[k] = curve.front();
   }
 
+  /// Whether the solid lets the curve be moved onto another one point by point, in the straight way
+  /// from each to the nearest: then both shrink, or neither.
+  bool can_become(const Rubber_band& other) const
+  {
+    const std::array<Vector3, size> target = other.points_beside(*this);
+    for(std::size_t k = 0; k < size; ++k)
+      if(!is_solid_between(points_[k], target[k]))
+        return false;
+    return true;
+  }
+
   /// Whether the curve shrinks to a point.
   bool shrinks()
   {
@@ -75,6 +87,25 @@ private:
   static const Vector3& next(const std::vector<Vector3>& curve, std::size_t i)
   {
     return curve[i + 1 < curve.size() ? i + 1 : 0];
+  }
+
+  /// Its points from where and in the direction in which they are closest to those of another one.
+  std::array<Vector3, size> points_beside(const Rubber_band& other) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    std::array<Vector3, size> result;
+    for(const std::size_t direction : {std::size_t(1), size - 1})
+      for(std::size_t first = 0; first < size; ++first) {
+        double sum = 0;
+        for(std::size_t k = 0; k < size && sum < least; ++k)
+          sum += (points_[(first + k * direction) % size] - other.points_[k]).squaredNorm();
+        if(sum < least) {
+          least = sum;
+          for(std::size_t k = 0; k < size; ++k)
+            result[k] = points_[(first + k * direction) % size];
+        }
+      }
+    return result;
   }
 
   double length() const
@@ -106,13 +137,17 @@ private:
     return mean;
   }
 
-  /// The direction in which the winding number grows.
+  /// The direction in which the winding number grows, from the corners of a tetrahedron around.
   Vector3 away_from_air(const Vector3& p) const
   {
-    Vector3 gradient;
-    for(int k = 0; k < 3; ++k)
-      gradient[k] = winding_number_(p + resolution_ / 2 * Vector3::Unit(k)) -
-                    winding_number_(p - resolution_ / 2 * Vector3::Unit(k));
+    const double h = resolution_ / (2 * std::sqrt(3.0));
+    const std::array<Vector3, 4> corners = {
+      {{h, h, h}, {h, -h, -h}, {-h, h, -h}, {-h, -h, h}}};
+    const std::array<double, 4> values =
+      winding_number_(std::array<Vector3, 4>{{p + corners[0], p + corners[1], p + corners[2], p + corners[3]}});
+    Vector3 gradient = Vector3::Zero();
+    for(std::size_t k = 0; k < 4; ++k)
+      gradient += values[k] * corners[k];
     return gradient.normalized();
   }
 
@@ -128,10 +163,17 @@ private:
   {
     constexpr double air = 0.4; // 0.5 in the middle of a hole of the data, more behind it
     constexpr double most_places = 16;
-    const double places = 1 + std::min(most_places - 1, std::floor((to - from).norm() / resolution_));
-    for(double place = 1; place <= places; ++place)
-      if(winding_number_(from + place / places * (to - from)) < air)
+    if(winding_number_(to) < air)
+      return false;
+    const double steps = 1 + std::min(most_places - 1, std::floor((to - from).norm() / resolution_));
+    for(double step = 1; step < steps; step += 4) {
+      std::array<Vector3, 4> places;
+      for(std::size_t k = 0; k < 4; ++k)
+        places[k] = from + std::min(1.0, (step + static_cast<double>(k)) / steps) * (to - from);
+      const std::array<double, 4> values = winding_number_(places);
+      if(*std::min_element(values.begin(), values.end()) < air)
         return false;
+    }
     return true;
   }
 

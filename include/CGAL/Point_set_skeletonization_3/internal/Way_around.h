@@ -71,8 +71,14 @@ private:
     if(way.size() <= around_an_end)
       return !way.empty();
     const double resolution = patches_[separator.patches.front()].spacing;
-    if(!Rubber_band(positions(way), resolution, winding_number_).shrinks())
+    const Rubber_band band(positions(way), resolution, winding_number_);
+    if(std::any_of(held_.begin(), held_.end(),
+                   [&](const Rubber_band& held) { return band.can_become(held); }))
       return false;
+    if(!Rubber_band(band).shrinks()) {
+      held_.push_back(band);
+      return false;
+    }
     shrinking_.push_back(closed(way));
     return true;
   }
@@ -209,7 +215,7 @@ private:
         last = i;
       for(const auto& edge : edges_[i])
         if(place_[edge.patch] != on_separator)
-          visit(edge.patch, step.first + edge.length, i);
+          visit(edge.patch, step.first + static_cast<double>(edge.length), i);
     }
     std::vector<std::size_t> way;
     for(; last != none; last = visits_[last].before)
@@ -232,7 +238,10 @@ private:
   const std::vector<Sample>& samples_;
   const Winding_number& winding_number_;
   const Patch_edges edges_;     ///< Along limbs.
-  std::vector<Loop> shrinking_; ///< Found so far.
+
+  // Found so far.
+  std::vector<Loop> shrinking_;
+  std::vector<Rubber_band> held_; ///< By holes of the shape.
 
   // Of every patch; as at the beginning between calls.
   std::vector<Place> place_;
