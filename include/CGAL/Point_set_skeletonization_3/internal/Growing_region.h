@@ -75,19 +75,52 @@ private:
   std::vector<Edge> edges_;
 };
 
+/// A list of patches that grows without a branch: which neighbours of a patch are new is anybody's
+/// guess, and wrong guesses of the processor would cost more than all the rest.
+class Patch_list
+{
+public:
+  /// \pre not longer than `capacity`
+  explicit Patch_list(std::size_t capacity) : patches_(capacity + 1) {}
+
+  void push_back_if(bool condition, std::size_t patch)
+  {
+    patches_[size_] = static_cast<std::uint32_t>(patch);
+    size_ += condition;
+  }
+
+  std::size_t operator[](std::size_t k) const { return patches_[k]; }
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  const std::uint32_t* begin() const { return patches_.data(); }
+  const std::uint32_t* end() const { return patches_.data() + size_; }
+  void replace(std::size_t k, std::size_t patch) { patches_[k] = static_cast<std::uint32_t>(patch); }
+  /// \pre it is at least as long
+  void shorten(std::size_t size) { size_ = size; }
+
+private:
+  std::vector<std::uint32_t> patches_;
+  std::size_t size_ = 0;
+};
+
 /// Patches that a ball around a medial sample holds, as far as they hang together, and their front:
 /// the patches next to them. The ball grows until the front falls apart. One object grows one
 /// region after the other and visits only what the region reaches.
 class Growing_region
 {
 public:
-  Growing_region(const std::vector<Patch>& patches, const Patch_edges& edges,
-                 const std::vector<Sample>& samples)
+  /// `means` are those of the patches.
+  Growing_region(const std::vector<Patch>& patches, const std::vector<Vector3>& means,
+                 const Patch_edges& edges, const std::vector<Sample>& samples)
       : patches_(patches)
+      , means_(means)
       , edges_(edges)
       , samples_(samples)
+      , region_(patches.size())
+      , front_(patches.size())
+      , found_(patches.size())
       , label_(patches.size(), outside)
-      , distance_(patches.size())
+      , squared_distance_(patches.size())
       , nearest_(patches.size())
   {}
 
@@ -103,8 +136,9 @@ public:
 
     center_ = samples_[seed].position;
     const double radius = std::max(samples_[seed].radius, patches_[seed].spacing / 2);
-    add_to_front(seed);
-    absorb(0);
+    region_.push_back_if(true, seed);
+    label_[seed] = region;
+    add_neighbors_to_front(seed);
     Local_separator result;
     bool whole = false; // the front; it cannot fall apart while it stays the same
     for(double reach = growth * radius; reach < flattest * radius; reach *= growth) {
@@ -140,76 +174,81 @@ private:
     }
   };
 
-  enum Label : char { outside, region, front, part_of_front, between, on_separator };
+  enum Label : char { outside, region, front, part_of_front, between, on_separator, beside };
 
-  void add_to_front(std::size_t i)
+  void add_neighbors_to_front(std::size_t i)
   {
-    label_[i] = front;
-    distance_[i] = (patches_[i].mean - center_).norm();
-    front_.push_back(i);
+    const std::size_t first = front_.size();
+    for(const auto& edge : edges_[i]) {
+      Label& label = label_[edge.patch];
+      const bool is_new = label == outside;
+      front_.push_back_if(is_new, edge.patch);
+      label = is_new ? front : label;
+    }
+    for(std::size_t k = first; k < front_.size(); ++k)
+      squared_distance_[front_[k]] = (means_[front_[k]] - center_).squaredNorm();
   }
 
-  /// Moves the `k`-th patch of the front into the region.
-  void absorb(std::size_t k)
-  {
-    const std::size_t i = front_[k];
-    front_[k] = front_.back();
-    front_.pop_back();
-    label_[i] = region;
-    region_.push_back(i);
-    for(const auto& edge : edges_[i])
-      if(label_[edge.patch] == outside)
-        add_to_front(edge.patch);
-  }
-
+  /// Moves what the ball holds from the front into the region, and what is next to that into the
+  /// front.
   void grow(double reach)
   {
-    for(std::size_t k = 0; k < front_.size();)
-      if(distance_[front_[k]] <= reach)
-        absorb(k);
-      else
-        ++k;
+    std::size_t kept = 0;
+    for(std::size_t k = 0; k < front_.size(); ++k) {
+      const std::size_t i = front_[k];
+      if(squared_distance_[i] > reach * reach) {
+        front_.replace(kept++, i);
+        continue;
+      }
+      label_[i] = region;
+      region_.push_back_if(true, i);
+      add_neighbors_to_front(i);
+    }
+    front_.shorten(kept);
+  }
+
+  /// Calls `visit(i)` for every patch of the region and then of the front.
+  template <typename Visit>
+  void visit_all(const Visit& visit) const
+  {
+    for(std::size_t i : region_)
+      visit(i);
+    for(std::size_t i : front_)
+      visit(i);
   }
 
   void clear()
   {
-    for(const std::vector<std::size_t>* visited : {&region_, &front_})
-      for(std::size_t i : *visited)
-        label_[i] = outside;
-    region_.clear();
-    front_.clear();
+    visit_all([&](std::size_t i) { label_[i] = outside; });
+    region_.shorten(0);
+    front_.shorten(0);
   }
 
-  /// The front in parts that do not hang together, each ascending, the largest first; none if it is
-  /// in one piece.
+  /// The front in parts that do not hang together, the largest first; none if it is in one piece.
   std::vector<Part> connected_parts()
   {
     std::vector<Part> parts;
-    std::vector<std::size_t>& found = found_;
-    found.clear();
+    found_.shorten(0);
+    const auto add = [&](std::size_t i) {
+      const bool is_new = label_[i] == front;
+      found_.push_back_if(is_new, i);
+      label_[i] = is_new ? part_of_front : label_[i];
+    };
     for(std::size_t start : front_) {
       if(label_[start] != front)
         continue;
-      std::size_t next = found.size();
-      const std::size_t first = next;
-      const auto add = [&](std::size_t i) {
-        label_[i] = part_of_front;
-        found.push_back(i);
-      };
-      for(add(start); next < found.size() && found.size() < front_.size(); ++next)
-        for(const auto& edge : edges_[found[next]])
-          if(label_[edge.patch] == front)
-            add(edge.patch);
-      if(found.size() - first < front_.size())
-        parts.emplace_back(found.begin() + static_cast<std::ptrdiff_t>(first), found.end());
+      const std::size_t first = found_.size();
+      add(start);
+      for(std::size_t next = first; next < found_.size() && found_.size() < front_.size(); ++next)
+        for(const auto& edge : edges_[found_[next]])
+          add(edge.patch);
+      if(found_.size() - first < front_.size())
+        parts.emplace_back(found_.begin() + first, found_.end());
     }
     for(std::size_t i : front_)
       label_[i] = front;
-    for(Part& part : parts)
-      std::sort(part.begin(), part.end());
-    std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
-      return a.size() != b.size() ? a.size() > b.size() : a < b;
-    });
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const Part& a, const Part& b) { return a.size() > b.size(); });
     return parts;
   }
 
@@ -242,11 +281,11 @@ private:
     const auto in_second_half = [&](const Patch_edges::Edge& edge) {
       return half(edge.patch) == 2;
     };
-    for(const std::vector<std::size_t>* visited : {&region_, &front_})
-      for(std::size_t i : *visited)
-        if(label_[i] == between && half(i) == 1 &&
-           std::any_of(edges_[i].begin(), edges_[i].end(), in_second_half))
-          add(i);
+    visit_all([&](std::size_t i) {
+      if(label_[i] == between && half(i) == 1 &&
+         std::any_of(edges_[i].begin(), edges_[i].end(), in_second_half))
+        add(i);
+    });
     for(std::size_t i : parts[0])
       for(const auto& edge : edges_[i])
         if(in_second_half(edge))
@@ -255,16 +294,14 @@ private:
     for(std::size_t i : result.patches) {
       result.length += patches_[i].spacing;
       for(const auto& edge : edges_[i])
-        if(half(edge.patch) != 0 && label_[edge.patch] != on_separator)
+        if(half(edge.patch) != 0 && label_[edge.patch] < on_separator) {
+          label_[edge.patch] = beside;
           result.sides[static_cast<std::size_t>(half(edge.patch) - 1)].push_back(edge.patch);
+        }
     }
-    for(std::vector<std::size_t>& side : result.sides) {
+    for(std::vector<std::size_t>& side : result.sides)
       std::sort(side.begin(), side.end());
-      side.erase(std::unique(side.begin(), side.end()), side.end());
-    }
-    for(const std::vector<std::size_t>* visited : {&region_, &front_})
-      for(std::size_t i : *visited)
-        nearest_[i] = Nearest();
+    visit_all([&](std::size_t i) { nearest_[i] = Nearest(); });
     return result;
   }
 
@@ -272,11 +309,10 @@ private:
   /// surface; labels those that belong to neither.
   void find_nearest(const std::vector<Part>& parts)
   {
-    for(const std::vector<std::size_t>* visited : {&region_, &front_})
-      for(std::size_t i : *visited) {
-        label_[i] = between;
-        nearest_[i].distance = std::numeric_limits<float>::infinity();
-      }
+    visit_all([&](std::size_t i) {
+      label_[i] = between;
+      nearest_[i].distance = std::numeric_limits<float>::infinity();
+    });
     // In the order of the number of steps, which is nearly that of the distance: what has to be
     // corrected costs less than a heap would.
     queue_.clear();
@@ -302,20 +338,20 @@ private:
   }
 
   const std::vector<Patch>& patches_;
+  const std::vector<Vector3>& means_;
   const Patch_edges& edges_;
   const std::vector<Sample>& samples_;
   Vector3 center_ = Vector3::Zero();
-  std::vector<std::size_t> region_; ///< The seed first.
-  std::vector<std::size_t> front_;
+  Patch_list region_; ///< The seed first.
+  Patch_list front_;
+  Patch_list found_; ///< In `connected_parts()`.
 
   // Of every patch; as at the beginning wherever no region is.
   std::vector<Label> label_;
-  std::vector<double> distance_; ///< To the centre, of the front.
+  std::vector<double> squared_distance_; ///< To the centre, of the front.
   std::vector<Nearest> nearest_; ///< Default outside.
 
-  // Memory of `connected_parts()` and `find_nearest()`.
-  std::vector<std::size_t> found_;
-  std::vector<std::pair<float, std::size_t>> queue_;
+  std::vector<std::pair<float, std::size_t>> queue_; ///< Of `find_nearest()`.
 };
 
 } // namespace internal

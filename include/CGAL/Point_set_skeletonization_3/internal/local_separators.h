@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/Growing_region.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Per_thread.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Way_around.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
@@ -54,9 +55,13 @@ std::vector<Local_separator> grown_separators(const std::vector<Patch>& patches,
   // Every round grows from seeds all over the shape; what is found counts for the rounds after it,
   // so the result does not depend on the number of threads. More rounds skip hardly more seeds.
   constexpr std::size_t rounds = 8;
-  // Enough seeds for what a region allocates to cost little, few enough to share among threads.
-  constexpr std::size_t block = 16;
   const Patch_edges edges(patches);
+  std::vector<Vector3> means;
+  means.reserve(patches.size());
+  for(const Patch& patch : patches)
+    means.push_back(patch.mean);
+  Per_thread<ConcurrencyTag, Growing_region> region(
+    [&] { return Growing_region(patches, means, edges, samples); });
   std::vector<Local_separator> result(seeds.size());
   std::vector<int> separators_through(patches.size(), 0);
   for(std::size_t round = 0; round < rounds; ++round) {
@@ -64,11 +69,8 @@ std::vector<Local_separator> grown_separators(const std::vector<Patch>& patches,
     for(std::size_t s = round; s < seeds.size(); s += rounds)
       if(separators_through[seeds[s]] < enough)
         open.push_back(s);
-    parallel_for<ConcurrencyTag>((open.size() + block - 1) / block, [&](std::size_t b) {
-      Growing_region region(patches, edges, samples);
-      const std::size_t end = std::min(open.size(), (b + 1) * block);
-      for(std::size_t k = b * block; k < end; ++k)
-        result[open[k]] = region.separator(seeds[open[k]]);
+    parallel_for<ConcurrencyTag>(open.size(), [&](std::size_t k) {
+      result[open[k]] = region.local().separator(seeds[open[k]]);
     });
     for(std::size_t s : open)
       for(std::size_t i : result[s].patches)

@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PER_THREAD_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PER_THREAD_H
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/combinable.h>
+#endif
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// An object of every thread, for the body of a `parallel_for()` to work with. Which thread's it was
+/// must not matter to the result.
+template <typename ConcurrencyTag, typename Object, typename = void>
+class Per_thread
+{
+public:
+  /// `make()` makes one.
+  template <typename Make>
+  explicit Per_thread(const Make& make) : object_(make())
+  {}
+
+  Object& local() { return object_; }
+
+private:
+  Object object_;
+};
+
+#ifdef CGAL_LINKED_WITH_TBB
+template <typename ConcurrencyTag, typename Object>
+class Per_thread<ConcurrencyTag, Object,
+                 std::enable_if_t<std::is_convertible<ConcurrencyTag, Parallel_tag>::value>>
+{
+public:
+  template <typename Make>
+  explicit Per_thread(const Make& make) : objects_(make)
+  {}
+
+  Object& local() { return objects_.local(); }
+
+private:
+  tbb::combinable<Object> objects_;
+};
+#endif
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PER_THREAD_H
