@@ -124,10 +124,17 @@ public:
       , nearest_(patches.size())
   {}
 
-  /// The separator through the region that grows from the sample of a patch; an empty one if the
-  /// ball becomes larger than anything that a limb at this place can be, or holds half of the
-  /// shape: there is no limb here.
-  Local_separator separator(std::size_t seed)
+  /// What a region ended with.
+  struct Result
+  {
+    /// Empty if the ball became larger than anything that a limb at this place can be, or held half
+    /// of the shape: there is no limb here.
+    Local_separator separator;
+    std::vector<std::size_t> same; ///< Patches whose regions would end in much the same way.
+  };
+
+  /// The separator through the region that grows from the sample of a patch.
+  Result grow_from(std::size_t seed)
   {
     // The ball of a round limb touches it all around; a tenth more holds its ring of patches.
     constexpr double growth = 1.1;
@@ -139,7 +146,7 @@ public:
     region_.push_back_if(true, seed);
     label_[seed] = region;
     add_neighbors_to_front(seed);
-    Local_separator result;
+    Result result;
     bool whole = false; // the front; it cannot fall apart while it stays the same
     for(double reach = growth * radius; reach < flattest * radius; reach *= growth) {
       const std::size_t size = region_.size();
@@ -151,13 +158,19 @@ public:
       const std::vector<Part> parts = connected_parts();
       whole = parts.empty();
       if(splits(parts)) {
-        result = cut(parts);
+        result.separator = cut(parts);
+        result.same = result.separator.patches;
         break;
       }
     }
+    if(result.same.empty())
+      result.same = within(same_place * radius);
     clear();
     return result;
   }
+
+  /// Balls whose centres are closer than this, in radii, hold mostly the same.
+  static constexpr double same_place = 0.7;
 
 private:
   using Part = std::vector<std::size_t>;
@@ -205,6 +218,16 @@ private:
       add_neighbors_to_front(i);
     }
     front_.shorten(kept);
+  }
+
+  /// The patches of the region with samples within a distance of the centre.
+  std::vector<std::size_t> within(double reach) const
+  {
+    std::vector<std::size_t> result;
+    for(std::size_t i : region_)
+      if((samples_[i].position - center_).norm() < reach)
+        result.push_back(i);
+    return result;
   }
 
   /// Calls `visit(i)` for every patch of the region and then of the front.

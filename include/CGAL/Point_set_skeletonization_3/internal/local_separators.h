@@ -45,7 +45,8 @@ inline std::vector<std::size_t> separator_seeds(const std::vector<Sample>& sampl
 
 /// Separators grown from the seeds, in their order. A patch that two separators hold needs no third
 /// (Baerentzen & Rotenberg 2021 skip such seeds the more likely the more separators hold them): most
-/// of them are the same, and the tightest cross-section is among the first few.
+/// of them are the same, and the tightest cross-section is among the first few. Nor does a place from
+/// which two regions have found none.
 template <typename ConcurrencyTag>
 std::vector<Local_separator> grown_separators(const std::vector<Patch>& patches,
                                               const std::vector<Sample>& samples,
@@ -62,24 +63,25 @@ std::vector<Local_separator> grown_separators(const std::vector<Patch>& patches,
     means.push_back(patch.mean);
   Per_thread<ConcurrencyTag, Growing_region> region(
     [&] { return Growing_region(patches, means, edges, samples); });
-  std::vector<Local_separator> result(seeds.size());
-  std::vector<int> separators_through(patches.size(), 0);
+  std::vector<Growing_region::Result> results(seeds.size());
+  std::vector<int> tried(patches.size(), 0);
   for(std::size_t round = 0; round < rounds; ++round) {
     std::vector<std::size_t> open;
     for(std::size_t s = round; s < seeds.size(); s += rounds)
-      if(separators_through[seeds[s]] < enough)
+      if(tried[seeds[s]] < enough)
         open.push_back(s);
     parallel_for<ConcurrencyTag>(open.size(), [&](std::size_t k) {
-      result[open[k]] = region.local().separator(seeds[open[k]]);
+      results[open[k]] = region.local().grow_from(seeds[open[k]]);
     });
     for(std::size_t s : open)
-      for(std::size_t i : result[s].patches)
-        ++separators_through[i];
+      for(std::size_t i : results[s].same)
+        ++tried[i];
   }
-  result.erase(std::remove_if(result.begin(), result.end(),
-                              [](const Local_separator& s) { return s.patches.empty(); }),
-               result.end());
-  return result;
+  std::vector<Local_separator> found;
+  for(Growing_region::Result& result : results)
+    if(!result.separator.patches.empty())
+      found.push_back(std::move(result.separator));
+  return found;
 }
 
 /// Separators that cut limbs, all over the shape, the shortest first and none touching a patch of
