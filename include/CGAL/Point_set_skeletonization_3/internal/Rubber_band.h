@@ -121,11 +121,17 @@ private:
   void tighten()
   {
     for(std::size_t i = 0; i < size; ++i) {
+      const std::array<Vector3, 4> means = {
+        {mean_around(i, 8), mean_around(i, 4), mean_around(i, 2), mean_around(i, 1)}};
+      const std::array<double, 4> winding_numbers = winding_number_(means);
       bool moved = false;
-      for(std::size_t reach = size / 4; reach >= 1 && !moved; reach /= 2)
-        moved = move(i, mean_around(i, reach));
-      if(!moved)
-        move(i, mean_around(i, 1) + resolution_ / 2 * away_from_air(points_[i]));
+      for(std::size_t k = 0; k < 4 && !moved; ++k)
+        moved = winding_numbers[k] >= air && move(i, means[k]);
+      if(moved)
+        continue;
+      const Vector3 beside = means[3] + resolution_ / 2 * away_from_air(points_[i]);
+      if(winding_number_(beside) >= air)
+        move(i, beside);
     }
   }
 
@@ -151,20 +157,26 @@ private:
     return gradient.normalized();
   }
 
+  /// \pre there is no air at `to`
   bool move(std::size_t i, const Vector3& to)
   {
-    const bool can = is_solid_between(points_[i], to);
+    const bool can = is_solid_before(points_[i], to);
     if(can)
       points_[i] = to;
     return can;
   }
 
+  static constexpr double air = 0.4; // 0.5 in the middle of a hole of the data, more behind it
+
   bool is_solid_between(const Vector3& from, const Vector3& to) const
   {
-    constexpr double air = 0.4; // 0.5 in the middle of a hole of the data, more behind it
+    return winding_number_(to) >= air && is_solid_before(from, to);
+  }
+
+  /// Whether there is no air on the way to a place.
+  bool is_solid_before(const Vector3& from, const Vector3& to) const
+  {
     constexpr double most_places = 16;
-    if(winding_number_(to) < air)
-      return false;
     const double steps = 1 + std::min(most_places - 1, std::floor((to - from).norm() / resolution_));
     for(double step = 1; step < steps; step += 4) {
       std::array<Vector3, 4> places;
