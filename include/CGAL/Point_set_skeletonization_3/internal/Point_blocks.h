@@ -21,8 +21,8 @@ namespace internal {
 class Point_blocks
 {
 public:
-  /// Points in a block, which fits into the second cache; the last one may have fewer.
-  static constexpr std::size_t block_size = 1 << 12;
+  /// Points in a block, which fits into the first cache; the last one may have fewer.
+  static constexpr std::size_t block_size = 1 << 8;
 
   virtual ~Point_blocks() = default;
 
