@@ -249,11 +249,15 @@ TEST_CASE("The grid of the occupied cells is the finest there may be, whatever s
   // From level to level there are twice, four times and eight times as many cells.
   const std::size_t dimension = GENERATE(1u, 2u, 3u);
   const std::size_t maximum = GENERATE(300u, 3000u, 30000u);
-  CAPTURE(dimension, maximum);
-  Points points(60000, Vector3::Constant(0.1));
+  // With few of them there are no more cells on the next levels.
+  const std::size_t places = GENERATE(2000u, 60000u);
+  CAPTURE(dimension, maximum, places);
+  Points points(places, Vector3::Constant(0.1));
   for(Vector3& p : points)
     for(std::size_t k = 0; k < dimension; ++k)
       p[static_cast<Eigen::Index>(k)] = uniform(generator);
+  while(points.size() < 60000)
+    points.push_back(points[points.size() - places]);
   std::set<std::uint64_t> expected;
   int level = finest_level + 1;
   do {
