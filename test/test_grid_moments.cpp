@@ -233,7 +233,7 @@ TEST_CASE("A set of cells holds every cell once, and an index every cell under a
 
   const std::set<std::uint64_t> others = all_of(sets[1]);
   expected.insert(others.begin(), others.end());
-  sets[0].insert(sets[1]);
+  sets[0].add(sets[1]);
   CHECK(all_of(sets[0]) == expected);
 
   std::set<std::uint64_t> around;

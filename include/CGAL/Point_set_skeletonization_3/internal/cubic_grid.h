@@ -196,8 +196,8 @@ public:
     cells |= std::uint64_t(1) << place;
   }
 
-  /// Inserts the cells of another set.
-  void insert(const Cell_set& other)
+  /// Adds the cells of another set.
+  void add(const Cell_set& other)
   {
     other.for_each_block([&](const Grid_cell& block, std::uint64_t cells) { insert(block, cells); });
   }

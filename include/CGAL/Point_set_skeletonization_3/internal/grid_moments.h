@@ -220,13 +220,16 @@ public:
     limit();
   }
 
+  /// Adds the cells of other points.
   void add(Occupied_cells other)
   {
+    if(cells_.size() < other.cells_.size())
+      std::swap(*this, other);
     while(grid_.level > other.grid_.level)
       coarsen();
     while(other.grid_.level > grid_.level)
       other.coarsen();
-    cells_.insert(other.cells_);
+    cells_.add(other.cells_);
     limit();
   }
 
@@ -266,9 +269,6 @@ struct Grid_level
   }
 };
 
-/// Parts into which a large cloud is split: there is work for eight threads.
-constexpr std::size_t cloud_parts = 8;
-
 /// The finest level at which a cloud has at most `maximum_cells` cells, or a coarser or finer one: as
 /// some of the points tell.
 inline int probable_level(const Point_blocks& points, std::size_t maximum_cells)
@@ -292,24 +292,20 @@ inline int probable_level(const Point_blocks& points, std::size_t maximum_cells)
   return level;
 }
 
-/// The occupied cells of a cloud, read at a level; a coarser one if there are more than
+/// The occupied cells of a cloud, read at a level; in the end a coarser one, if there are more than
 /// `maximum_cells`.
 template <typename ConcurrencyTag>
 Occupied_cells occupied_cells(const Point_blocks& points, int level, std::size_t maximum_cells)
 {
-  constexpr bool parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
-  // A part of fewer points has nearly as many blocks, and the union costs more than the parts save.
-  const bool large = points.size() > maximum_cells;
-  std::vector<Occupied_cells> parts(parallel && large ? cloud_parts : 1,
-                                    Occupied_cells(level, maximum_cells));
-  parallel_for<ConcurrencyTag>(parts.size(), [&](std::size_t k) {
-    points.visit_part(k, parts.size(), [&](std::size_t, const Vector3& p) { parts[k].add(p); });
-  });
-  for(std::size_t k = 1; k < parts.size(); ++k)
-    parts.front().add(std::move(parts[k]));
-  while(parts.front().cells().size() > maximum_cells)
-    parts.front().coarsen();
-  return std::move(parts.front());
+  Occupied_cells result = parallel_sum<ConcurrencyTag>(
+    points.number_of_blocks(), Occupied_cells(level, maximum_cells),
+    [&](std::size_t b, Occupied_cells& cells) {
+      for(const Vector3& p : points.block(b))
+        cells.add(p);
+    });
+  while(result.cells().size() > maximum_cells)
+    result.coarsen();
+  return result;
 }
 
 /// The occupied cells of a cloud in the finest cubic grid that has no more than `maximum_cells`.
@@ -327,24 +323,29 @@ Occupied_cells occupied_cells(const Point_blocks& points, std::size_t maximum_ce
 }
 
 /// The cells that `around` finds around packed ones; of more than `most` some may be missing.
-inline Cell_set cells_around(const std::vector<std::uint64_t>& cells, const Cell_around& around,
-                             std::size_t most = std::numeric_limits<std::size_t>::max())
+template <typename ConcurrencyTag>
+Cell_set cells_around(const std::vector<std::uint64_t>& cells, const Cell_around& around,
+                      std::size_t most = std::numeric_limits<std::size_t>::max())
 {
-  Cell_set result;
-  for(std::size_t i = 0; i < cells.size() && result.size() <= most; ++i)
-    result.insert(around(unpacked(cells[i])));
-  return result;
+  constexpr std::size_t block = 1 << 10;
+  return parallel_sum<ConcurrencyTag>(
+    (cells.size() + block - 1) / block, Cell_set(), [&](std::size_t b, Cell_set& found) {
+      const std::size_t end = std::min(cells.size(), (b + 1) * block);
+      for(std::size_t i = b * block; i < end && found.size() <= most; ++i)
+        found.insert(around(unpacked(cells[i])));
+    });
 }
 
 /// The finest grid with at most `wanted` cells around those of a finer grid: the wider cells are, the
 /// fewer.
-inline Cubic_grid patch_grid(const std::vector<std::uint64_t>& cells, const Cubic_grid& fine,
-                             std::size_t wanted)
+template <typename ConcurrencyTag>
+Cubic_grid patch_grid(const std::vector<std::uint64_t>& cells, const Cubic_grid& fine,
+                      std::size_t wanted)
 {
   if(cells.size() <= wanted)
     return fine;
   const auto too_many = [&](std::int32_t factor) {
-    return cells_around(cells, Cell_around(factor), wanted).size() > wanted;
+    return cells_around<ConcurrencyTag>(cells, Cell_around(factor), wanted).size() > wanted;
   };
   std::int32_t narrow = 1, wide = 2;
   for(; too_many(wide); wide *= 2)
@@ -357,10 +358,11 @@ inline Cubic_grid patch_grid(const std::vector<std::uint64_t>& cells, const Cubi
 }
 
 /// The level of `grid`, around `cells` of a finer grid, without moments.
-inline Grid_level empty_level(const Cubic_grid& grid, const std::vector<std::uint64_t>& cells,
-                              const Cubic_grid& fine)
+template <typename ConcurrencyTag>
+Grid_level empty_level(const Cubic_grid& grid, const std::vector<std::uint64_t>& cells,
+                       const Cubic_grid& fine)
 {
-  std::vector<std::uint64_t> around = cells_around(cells, grid.around(fine)).cells();
+  std::vector<std::uint64_t> around = cells_around<ConcurrencyTag>(cells, grid.around(fine)).cells();
   std::sort(around.begin(), around.end());
   return {grid, Moment_cells(around)};
 }
@@ -369,10 +371,13 @@ inline Grid_level empty_level(const Cubic_grid& grid, const std::vector<std::uin
 inline Grid_level coarser_level(const Cubic_grid& grid, const Moment_cells& cells,
                                 const Cubic_grid& fine)
 {
-  Grid_level result = empty_level(grid, cells.cells(), fine);
+  Grid_level result = empty_level<Sequential_tag>(grid, cells.cells(), fine);
   result.cells.add(grid, cells, fine);
   return result;
 }
+
+/// Parts into which a large cloud is split: there is work for eight threads.
+constexpr std::size_t cloud_parts = 8;
 
 /// Adds the points to the cells of `level`, and tells the cell of every point.
 template <typename ConcurrencyTag>
@@ -429,8 +434,9 @@ Grid_mixture grid_moments(const Point_blocks& points, const Grid_options& option
     return result;
   const auto fine = occupied_cells<ConcurrencyTag>(points, options.maximum_fine_cells());
   const std::vector<std::uint64_t> cells = fine.cells().cells();
-  const Cubic_grid grid = patch_grid(cells, fine.grid(), options.patches(points.size()));
-  result.levels.push_back(empty_level(grid, cells, fine.grid()));
+  const Cubic_grid grid =
+    patch_grid<ConcurrencyTag>(cells, fine.grid(), options.patches(points.size()));
+  result.levels.push_back(empty_level<ConcurrencyTag>(grid, cells, fine.grid()));
   result.cell_of_point = add_points<ConcurrencyTag>(points, result.levels.front());
   result.add_coarser_levels(number_of_levels);
   return result;
@@ -447,8 +453,9 @@ inline Grid_mixture grid_moments(const Moment_grid& fine, const Grid_options& op
   Grid_mixture result;
   if(!(points > 0))
     return result;
-  const Cubic_grid grid = patch_grid(fine.cells().cells(), fine.grid(),
-                                     options.patches(static_cast<std::size_t>(points)));
+  const Cubic_grid grid =
+    patch_grid<Sequential_tag>(fine.cells().cells(), fine.grid(),
+                               options.patches(static_cast<std::size_t>(points)));
   result.levels.push_back(coarser_level(grid, fine.cells(), fine.grid()));
   result.add_coarser_levels(number_of_levels);
   return result;
