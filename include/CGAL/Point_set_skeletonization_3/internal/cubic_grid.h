@@ -197,8 +197,10 @@ public:
   }
 
   /// Adds the cells of another set.
-  void add(const Cell_set& other)
+  void add(Cell_set other)
   {
+    if(blocks_ < other.blocks_)
+      std::swap(*this, other);
     other.for_each_block([&](const Grid_cell& block, std::uint64_t cells) { insert(block, cells); });
   }
 

@@ -223,13 +223,11 @@ public:
   /// Adds the cells of other points.
   void add(Occupied_cells other)
   {
-    if(cells_.size() < other.cells_.size())
-      std::swap(*this, other);
     while(grid_.level > other.grid_.level)
       coarsen();
     while(other.grid_.level > grid_.level)
       other.coarsen();
-    cells_.add(other.cells_);
+    cells_.add(std::move(other.cells_));
     limit();
   }
 
