@@ -254,7 +254,7 @@ private:
   /// The cells of a block. If there are none, some must be added.
   std::uint64_t& cells_of(const Grid_cell& block)
   {
-    constexpr std::size_t room = 3; // slots of a block, at least: it is nearly always in the first
+    constexpr std::size_t room = 2; // slots of a block, at least: it is nearly always in the first two
     if(slots_.size() < room * (blocks_ + 1))
       grow();
     Slot& slot = slots_[slot_of(packed(block))];

@@ -267,14 +267,13 @@ struct Grid_level
   }
 };
 
-/// The finest level at which a cloud has at most `maximum_cells` cells, or a coarser or finer one: as
-/// some of the points tell.
+/// The level that the fine grid of a cloud probably has, as some of the points tell.
 inline int probable_level(const Point_blocks& points, std::size_t maximum_cells)
 {
+  constexpr int coarse_level = 8; // far coarser than the fine grid of so many points
   constexpr std::size_t blocks = 64;
-  // Of so many points in a cell hardly any cell has none; and four cells of a surface are in one.
-  constexpr std::size_t points_of_cell = 8;
-  Occupied_cells some(finest_level, maximum_cells);
+  constexpr std::size_t points_of_cell = 8; // on average: then hardly any cell has none of them
+  Occupied_cells some(coarse_level, maximum_cells);
   const std::size_t step = 1 + points.number_of_blocks() / blocks;
   std::size_t size = 0;
   for(std::size_t b = 0; b < points.number_of_blocks(); b += step)
@@ -282,10 +281,11 @@ inline int probable_level(const Point_blocks& points, std::size_t maximum_cells)
       some.add(p);
       ++size;
     }
-  while(some.cells().size() > size / points_of_cell)
+  while(points_of_cell * some.cells().size() > size)
     some.coarsen();
   int level = some.grid().level;
-  for(std::size_t cells = some.cells().size(); level < finest_level && 4 * cells <= maximum_cells; cells *= 4)
+  for(std::size_t cells = 4 * some.cells().size(); cells <= maximum_cells && level < finest_level;
+      cells *= 4) // as a surface has
     ++level;
   return level;
 }
