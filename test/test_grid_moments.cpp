@@ -10,6 +10,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -206,25 +207,74 @@ TEST_CASE("A set of cells holds every cell once, and an index every cell under a
 {
   std::mt19937 generator(11);
   const auto place = [&] { return static_cast<std::int32_t>(generator() % 64) - 32; };
-  Cell_set set;
+  std::array<Cell_set, 2> sets;
   Cell_index index;
   std::set<std::uint64_t> expected;
-  for(int i = 0; i < 20000; ++i) {
+  for(std::size_t i = 0; i < 20000; ++i) {
     const Grid_cell cell{{place(), place() / 4, place() / 8}};
     REQUIRE(unpacked(packed(cell)) == cell);
-    set.insert(cell);
+    sets[0].insert(cell);
+    if(i % 3 != 0) // the sets share cells, and blocks, and either has some alone
+      sets[1].insert({{cell[0], cell[2], cell[1]}});
     const std::size_t number = index.insert(packed(cell));
     expected.insert(packed(cell));
-    REQUIRE(set.size() == expected.size());
+    REQUIRE(sets[0].size() == expected.size());
     REQUIRE(index.size() == expected.size());
     REQUIRE(index.cells()[number] == packed(cell));
     REQUIRE(index[packed(cell)] == number);
   }
-  const std::vector<std::uint64_t> cells = set.cells();
-  CHECK(std::set<std::uint64_t>(cells.begin(), cells.end()) == expected);
-  set.clear();
-  CHECK(set.size() == 0);
-  CHECK(set.cells().empty());
+  const auto all_of = [](const Cell_set& set) {
+    const std::vector<std::uint64_t> cells = set.cells();
+    CHECK(cells.size() == set.size());
+    return std::set<std::uint64_t>(cells.begin(), cells.end());
+  };
+  CHECK(all_of(sets[0]) == expected);
+  CHECK(Cell_set().cells().empty());
+
+  const std::set<std::uint64_t> others = all_of(sets[1]);
+  expected.insert(others.begin(), others.end());
+  sets[0].add(sets[1]);
+  CHECK(all_of(sets[0]) == expected);
+
+  std::set<std::uint64_t> around;
+  for(std::uint64_t cell : expected)
+    around.insert(packed(Cell_around(2)(unpacked(cell))));
+  CHECK(all_of(sets[0].coarsened()) == around);
+}
+
+TEST_CASE("The grid of the occupied cells is the finest there may be, whatever some points suggest")
+{
+  std::mt19937 generator(12);
+  std::uniform_real_distribution<double> uniform(-0.28, 0.28);
+  // From level to level there are twice, four times and eight times as many cells.
+  const std::size_t dimension = GENERATE(1u, 2u, 3u);
+  const std::size_t maximum = GENERATE(300u, 3000u, 30000u);
+  // With few of them there are no more cells on the next levels.
+  const std::size_t places = GENERATE(2000u, 60000u);
+  CAPTURE(dimension, maximum, places);
+  Points points(places, Vector3::Constant(0.1));
+  for(Vector3& p : points)
+    for(std::size_t k = 0; k < dimension; ++k)
+      p[static_cast<Eigen::Index>(k)] = uniform(generator);
+  while(points.size() < 60000)
+    points.push_back(points[points.size() - places]);
+  std::set<std::uint64_t> expected;
+  int level = finest_level + 1;
+  do {
+    --level;
+    expected.clear();
+    for(const Vector3& p : points)
+      expected.insert(packed(Cell_of_point(Cubic_grid{level, 1})(p)));
+  } while(expected.size() > maximum);
+  for(bool parallel : {false, true}) {
+    const Normalized_blocks blocks(points);
+    const Occupied_cells occupied =
+      parallel ? occupied_cells<Parallel_if_available_tag>(blocks, maximum)
+               : occupied_cells<Sequential_tag>(blocks, maximum);
+    CHECK(occupied.grid().level == level);
+    const std::vector<std::uint64_t> cells = occupied.cells().cells();
+    CHECK(std::set<std::uint64_t>(cells.begin(), cells.end()) == expected);
+  }
 }
 
 TEST_CASE("The order of the points changes nothing but rounding")

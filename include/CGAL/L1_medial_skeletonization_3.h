@@ -64,7 +64,8 @@ public:
   {
     namespace internal = Point_set_skeletonization_3::internal;
     using Helper = Point_set_processing_3_np_helper<PointRange, NamedParameters>;
-    const internal::Range_blocks blocks(points, Helper::get_const_point_map(points, np));
+    const internal::Range_blocks blocks(points, Helper::get_const_point_map(points, np),
+                                        ConcurrencyTag());
     normalization_ = blocks.normalization();
     stages_ = internal::make_stages<ConcurrencyTag>(np);
     stages_->read(blocks);
@@ -169,8 +170,8 @@ public:
   void extract_skeleton(SkeletonGraph& skeleton) const
   {
     CGAL_precondition(steps_done_ == 3);
-    Point_set_skeletonization_3::internal::set_public_skeleton<Traits>(*stages_, normalization_,
-                                                                       skeleton);
+    namespace internal = Point_set_skeletonization_3::internal;
+    internal::set_public_skeleton<Traits, ConcurrencyTag>(*stages_, normalization_, skeleton);
   }
 
 private:

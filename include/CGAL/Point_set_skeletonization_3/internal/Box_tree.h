@@ -5,6 +5,9 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_BOX_TREE_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
@@ -63,16 +66,19 @@ public:
 
   Box_tree() = default;
 
-  /// `position(i)` gives the `i`-th of `size` points.
-  template <typename Position>
-  Box_tree(std::size_t size, const Position& position)
+  /// `position(i)` gives the `i`-th of `size` points. Halves are sorted concurrently under
+  /// `Parallel_tag`.
+  template <typename Position, typename ConcurrencyTag = Sequential_tag>
+  Box_tree(std::size_t size, const Position& position, ConcurrencyTag = ConcurrencyTag())
   {
     std::vector<Entry> entries;
     entries.reserve(size);
     for(std::size_t i = 0; i < size; ++i)
       entries.push_back({position(i), i});
-    if(size > 0)
-      split(entries, 0, size);
+    if(size > 0) {
+      add_nodes(0, size);
+      sort<ConcurrencyTag>(entries, 0);
+    }
     order_.reserve(size);
     positions_.reserve(size);
     for(const Entry& entry : entries) {
@@ -180,13 +186,26 @@ private:
     std::size_t index;
   };
 
-  /// Appends the tree over a range of entries: halves of equal size across its longest axis.
-  void split(std::vector<Entry>& entries, std::size_t begin, std::size_t end)
+  /// Appends the tree over a range of points: halves of equal size.
+  void add_nodes(std::size_t begin, std::size_t end)
   {
     const std::size_t node = nodes_.size();
     nodes_.push_back({begin, end, node + 1});
+    if(end - begin <= leaf_size)
+      return;
+    const std::size_t middle = begin + (end - begin) / 2;
+    add_nodes(begin, middle);
+    add_nodes(middle, end);
+    nodes_[node].after = nodes_.size();
+  }
+
+  /// Sorts the entries of a node into its halves, across its longest axis.
+  template <typename ConcurrencyTag>
+  void sort(std::vector<Entry>& entries, std::size_t node) const
+  {
     const auto at = [&](std::size_t k) { return entries.begin() + static_cast<std::ptrdiff_t>(k); };
-    if(end - begin <= leaf_size) { // an order of its own, whatever nth_element() leaves
+    const std::size_t begin = nodes_[node].begin, end = nodes_[node].end;
+    if(is_leaf(node)) { // an order of its own, whatever nth_element() leaves
       std::sort(at(begin), at(end),
                 [](const Entry& a, const Entry& b) { return a.index < b.index; });
       return;
@@ -196,14 +215,18 @@ private:
       box.add(entries[k].position);
     Eigen::Index axis = 0;
     (box.upper - box.lower).maxCoeff(&axis);
-    const std::size_t middle = begin + (end - begin) / 2;
-    std::nth_element(at(begin), at(middle), at(end), [axis](const Entry& a, const Entry& b) {
-      const double x = a.position[axis], y = b.position[axis];
-      return x != y ? x < y : a.index < b.index;
-    });
-    split(entries, begin, middle);
-    split(entries, middle, end);
-    nodes_[node].after = nodes_.size();
+    std::nth_element(at(begin), at(nodes_[right(node)].begin), at(end),
+                     [axis](const Entry& a, const Entry& b) {
+                       const double x = a.position[axis], y = b.position[axis];
+                       return x != y ? x < y : a.index < b.index;
+                     });
+    constexpr std::size_t worth_a_task = 512; // points
+    const auto sort_left = [&] { sort<ConcurrencyTag>(entries, left(node)); };
+    const auto sort_right = [&] { sort<ConcurrencyTag>(entries, right(node)); };
+    if(end - begin >= worth_a_task)
+      parallel_invoke<ConcurrencyTag>(sort_left, sort_right);
+    else
+      parallel_invoke<Sequential_tag>(sort_left, sort_right);
   }
 
   std::vector<Node> nodes_;

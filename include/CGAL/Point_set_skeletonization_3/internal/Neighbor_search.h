@@ -70,9 +70,10 @@ public:
     }
   };
 
-  /// Indexes `size` points; `position(i)` gives the `i`-th as a `Vector3`.
-  template <typename Position>
-  Neighbor_search(std::size_t size, const Position& position)
+  /// Indexes `size` points, concurrently under `Parallel_tag`; `position(i)` gives the `i`-th as a
+  /// `Vector3`.
+  template <typename Position, typename ConcurrencyTag = Sequential_tag>
+  Neighbor_search(std::size_t size, const Position& position, ConcurrencyTag = ConcurrencyTag())
     : tree_(boost::counting_iterator<std::size_t>(0), boost::counting_iterator<std::size_t>(0),
             Splitter(), Traits(Index_point_map{&points_}))
   {
@@ -82,7 +83,7 @@ public:
     tree_.insert(boost::counting_iterator<std::size_t>(0),
                  boost::counting_iterator<std::size_t>(size));
     if(size > 0)
-      tree_.build();
+      tree_.template build<ConcurrencyTag>();
   }
 
   Neighbor_search(const Neighbor_search&) = delete;

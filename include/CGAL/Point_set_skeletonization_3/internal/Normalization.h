@@ -88,33 +88,42 @@ private:
   double diagonal_ = 1;
 };
 
-/// The bounding box of points that come one after the other.
+/// The bounding box of points; those of parts of the points add up to that of all.
 class Extent
 {
 public:
-  /// \throws std::invalid_argument that names the point if a coordinate is not finite
-  void add(const Vector3& p)
+  /// Adds the `i`-th point.
+  void add(std::size_t i, const Vector3& p)
   {
     if(!p.allFinite())
-      throw std::invalid_argument("point " + std::to_string(size_) +
-                                  " has a coordinate that is not finite; remove or repair it");
-    lower_ = size_ == 0 ? p : lower_.cwiseMin(p);
-    upper_ = size_ == 0 ? p : upper_.cwiseMax(p);
-    ++size_;
+      not_finite_ = std::min(not_finite_, i);
+    lower_ = lower_.cwiseMin(p);
+    upper_ = upper_.cwiseMax(p);
   }
 
-  /// Number of points.
-  std::size_t size() const { return size_; }
+  void add(const Extent& other)
+  {
+    not_finite_ = std::min(not_finite_, other.not_finite_);
+    lower_ = lower_.cwiseMin(other.lower_);
+    upper_ = upper_.cwiseMax(other.upper_);
+  }
 
   /// The similarity that normalises the points.
+  /// \throws std::invalid_argument that names the first point with a coordinate that is not finite
   Normalization normalization() const
   {
-    return size_ == 0 ? Normalization() : Normalization(lower_, upper_);
+    if(not_finite_ != none)
+      throw std::invalid_argument("point " + std::to_string(not_finite_) +
+                                  " has a coordinate that is not finite; remove or repair it");
+    return lower_.x() > upper_.x() ? Normalization() : Normalization(lower_, upper_);
   }
 
 private:
-  std::size_t size_ = 0;
-  Vector3 lower_ = Vector3::Zero(), upper_ = Vector3::Zero();
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  std::size_t not_finite_ = none; ///< The first point with such a coordinate.
+  Vector3 lower_ = Vector3::Constant(infinity), upper_ = Vector3::Constant(-infinity);
 };
 
 /// The similarity that normalises `points`.
@@ -122,8 +131,8 @@ private:
 inline Normalization normalization_of(const std::vector<Vector3>& points)
 {
   Extent extent;
-  for(const Vector3& p : points)
-    extent.add(p);
+  for(std::size_t i = 0; i < points.size(); ++i)
+    extent.add(i, points[i]);
   return extent.normalization();
 }
 

@@ -12,7 +12,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -29,8 +28,8 @@ public:
   {
     orient_patches(patches);
     winding_number = settle_orientation<ConcurrencyTag>(patches);
-    confidence = orientation_confidence(patches);
-    part_facing_patches(patches, confidence);
+    confidence = orientation_confidence<ConcurrencyTag>(patches);
+    part_facing_patches<ConcurrencyTag>(patches, confidence);
 
     // A patch of a few points is thinner than the surface is known; a tenth of the spacing is not.
     const Matrix3 blur = 0.01 * spacing * spacing * Matrix3::Identity();
@@ -39,7 +38,7 @@ public:
       finest.push_back({{gaussians[i].weight, gaussians[i].mean, gaussians[i].covariance + blur},
                         patches[i].normal,
                         confidence[i]});
-    mixture = std::make_unique<Oriented_mixture>(std::move(finest), spacing);
+    mixture = std::make_unique<Oriented_mixture>(finest, spacing, ConcurrencyTag());
   }
 
   // Its parts refer to each other.

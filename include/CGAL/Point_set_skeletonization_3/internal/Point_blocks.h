@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Normalization.h>
+#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -21,8 +22,8 @@ namespace internal {
 class Point_blocks
 {
 public:
-  /// Points in a block, which fits into the second cache; the last one may have fewer.
-  static constexpr std::size_t block_size = 1 << 12;
+  /// Points in a block, which fits into the first cache; the last one may have fewer.
+  static constexpr std::size_t block_size = 1 << 8;
 
   virtual ~Point_blocks() = default;
 
@@ -53,15 +54,21 @@ class Range_blocks : public Point_blocks
 {
 public:
   /// \throws std::invalid_argument that names the first point with a coordinate that is not finite
-  Range_blocks(const PointRange& points, const PointMap& map) : map_(map)
+  template <typename ConcurrencyTag>
+  Range_blocks(const PointRange& points, const PointMap& map, ConcurrencyTag)
+    : map_(map), size_(static_cast<std::size_t>(std::distance(std::begin(points), std::end(points))))
   {
-    Extent extent;
-    for(auto item = std::begin(points); item != std::end(points); ++item) {
-      if(extent.size() % block_size == 0)
-        first_.push_back(item);
-      extent.add(Normalization::vector(get(map_, *item)));
+    auto item = std::begin(points);
+    for(std::size_t b = 0; b < number_of_blocks(); ++b) {
+      first_.push_back(item);
+      std::advance(item, static_cast<std::ptrdiff_t>(size_of_block(b)));
     }
-    size_ = extent.size();
+    const Extent extent = parallel_sum<ConcurrencyTag>(
+      number_of_blocks(), Extent(), [this](std::size_t b, Extent& part) {
+        auto p = first_[b];
+        for(std::size_t i = 0; i < size_of_block(b); ++i)
+          part.add(b * block_size + i, Normalization::vector(get(map_, *p++)));
+      });
     normalization_ = extent.normalization();
   }
 
@@ -71,7 +78,7 @@ public:
 
   std::vector<Vector3> block(std::size_t b) const override
   {
-    std::vector<Vector3> result(std::min(block_size, size_ - b * block_size));
+    std::vector<Vector3> result(size_of_block(b));
     auto item = first_[b];
     for(Vector3& p : result)
       p = normalization_.to_unit(Normalization::vector(get(map_, *item++)));
@@ -81,9 +88,14 @@ public:
 private:
   using Iterator = decltype(std::begin(std::declval<const PointRange&>()));
 
+  std::size_t size_of_block(std::size_t b) const
+  {
+    return std::min(block_size, size_ - b * block_size);
+  }
+
   PointMap map_;
+  std::size_t size_;
   std::vector<Iterator> first_; ///< Of every block.
-  std::size_t size_ = 0;
   Normalization normalization_;
 };
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -110,6 +111,9 @@ private:
   Cell_around around_;
 };
 
+/// What spreads cells over a hash table, if the first bits of the product are taken (Knuth).
+constexpr std::uint64_t golden_ratio = 0x9E3779B97F4A7C15u;
+
 /// Numbers cells in the order in which they come: a hash table with open addressing.
 class Cell_index
 {
@@ -128,13 +132,6 @@ public:
 
   /// The number of a cell. \pre it was inserted
   std::size_t operator[](std::uint64_t cell) const { return slots_[slot_of(cell)] & number_mask; }
-
-  /// Forgets all cells and keeps the room.
-  void clear()
-  {
-    cells_.clear();
-    std::fill(slots_.begin(), slots_.end(), empty);
-  }
 
   /// The cells, packed, by their numbers.
   const std::vector<std::uint64_t>& cells() const { return cells_; }
@@ -160,7 +157,7 @@ private:
   /// Where a cell is, or would be.
   std::size_t slot_of(std::uint64_t cell) const
   {
-    std::size_t slot = cell * 0x9E3779B97F4A7C15u >> shift_; // by the golden ratio: Knuth
+    std::size_t slot = cell * golden_ratio >> shift_;
     while(slots_[slot] != empty && slots_[slot] >> number_bits != cell)
       slot = (slot + 1) & (slots_.size() - 1);
     return slot;
@@ -181,36 +178,41 @@ private:
   int shift_ = 64 - 7;               ///< Leaves the bits of a slot's number of a hash.
 };
 
-/// A set of cells. Those of a block of 4 x 4 x 4 are bits of one number: little memory to go through.
+/// A set of cells: a hash table like that of an index. Those of a block of 4 x 4 x 4 are bits of one
+/// number: little memory to go through.
 class Cell_set
 {
 public:
   std::size_t size() const { return size_; }
 
-  /// Forgets all cells and keeps the room.
-  void clear()
-  {
-    blocks_.clear();
-    bits_.clear();
-    size_ = 0;
-  }
+  /// Number of blocks that have cells.
+  std::size_t blocks() const { return blocks_; }
 
   void insert(const Grid_cell& cell)
   {
-    const std::size_t b = blocks_.insert(packed({{cell[0] >> 2, cell[1] >> 2, cell[2] >> 2}}));
-    if(b == bits_.size())
-      bits_.push_back(0);
     const int place = (cell[0] & 3) << 4 | (cell[1] & 3) << 2 | (cell[2] & 3);
-    const std::uint64_t bit = std::uint64_t(1) << place;
-    size_ += (bits_[b] & bit) == 0 ? 1 : 0;
-    bits_[b] |= bit;
+    std::uint64_t& cells = cells_of({{cell[0] >> 2, cell[1] >> 2, cell[2] >> 2}});
+    size_ += ~cells >> place & 1;
+    cells |= std::uint64_t(1) << place;
   }
 
-  /// Inserts those around packed cells.
-  void insert_around(const std::vector<std::uint64_t>& cells, const Cell_around& around)
+  /// Adds the cells of another set.
+  void add(Cell_set other)
   {
-    for(std::uint64_t cell : cells)
-      insert(around(unpacked(cell)));
+    if(blocks_ < other.blocks_)
+      std::swap(*this, other);
+    other.for_each_block([&](const Grid_cell& block, std::uint64_t cells) { insert(block, cells); });
+  }
+
+  /// The cells twice as wide around them.
+  Cell_set coarsened() const
+  {
+    Cell_set result;
+    for_each_block([&](const Grid_cell& block, std::uint64_t cells) {
+      const int place = (block[0] & 1) << 5 | (block[1] & 1) << 3 | (block[2] & 1) << 1;
+      result.insert({{block[0] >> 1, block[1] >> 1, block[2] >> 1}}, coarsened(cells) << place);
+    });
+    return result;
   }
 
   /// The cells, packed; those of a block one after the other.
@@ -218,21 +220,85 @@ public:
   {
     std::vector<std::uint64_t> result;
     result.reserve(size_);
-    for(std::size_t b = 0; b < bits_.size(); ++b) {
-      const Grid_cell block = unpacked(blocks_.cells()[b]);
-      std::uint64_t bits = bits_[b];
-      for(int place = 0; bits != 0; ++place, bits >>= 1)
-        if((bits & 1) != 0)
+    for_each_block([&](const Grid_cell& block, std::uint64_t cells) {
+      for(int place = 0; cells != 0; ++place, cells >>= 1)
+        if((cells & 1) != 0)
           result.push_back(packed({{4 * block[0] + (place >> 4), 4 * block[1] + (place >> 2 & 3),
                                     4 * block[2] + (place & 3)}}));
-    }
+    });
     return result;
   }
 
 private:
-  Cell_index blocks_;
-  std::vector<std::uint64_t> bits_; ///< Of every block.
-  std::size_t size_ = 0;
+  struct Slot
+  {
+    std::uint64_t block = 0; ///< Packed.
+    std::uint64_t cells = 0; ///< None: the slot is empty.
+  };
+
+  template <typename Visit>
+  void for_each_block(const Visit& visit) const
+  {
+    for(const Slot& slot : slots_)
+      if(slot.cells != 0)
+        visit(unpacked(slot.block), slot.cells);
+  }
+
+  void insert(const Grid_cell& block, std::uint64_t cells)
+  {
+    std::uint64_t& known = cells_of(block);
+    size_ += std::bitset<64>(cells & ~known).count();
+    known |= cells;
+  }
+
+  /// The cells of a block. If there are none, some must be added.
+  std::uint64_t& cells_of(const Grid_cell& block)
+  {
+    constexpr std::size_t room = 2; // slots of a block, at least: it is nearly always in the first two
+    if(slots_.size() < room * (blocks_ + 1))
+      grow();
+    Slot& slot = slots_[slot_of(packed(block))];
+    if(slot.cells == 0) {
+      slot.block = packed(block);
+      ++blocks_;
+    }
+    return slot.cells;
+  }
+
+  /// Where a block is, or would be.
+  std::size_t slot_of(std::uint64_t block) const
+  {
+    std::size_t slot = block * golden_ratio >> shift_;
+    while(slots_[slot].cells != 0 && slots_[slot].block != block)
+      slot = (slot + 1) & (slots_.size() - 1);
+    return slot;
+  }
+
+  void grow()
+  {
+    --shift_;
+    std::vector<Slot> old(std::size_t(1) << (64 - shift_));
+    old.swap(slots_);
+    for(const Slot& slot : old)
+      if(slot.cells != 0)
+        slots_[slot_of(slot.block)] = slot;
+  }
+
+  /// The cells of a block twice as wide, in its corner: two become one along every axis in turn.
+  static std::uint64_t coarsened(std::uint64_t cells)
+  {
+    constexpr std::array<std::pair<int, std::uint64_t>, 3> axes = {
+      {{1, 0x1111111111111111u}, {4, 0x000F000F000F000Fu}, {16, 0x000000000000FFFFu}}};
+    for(const auto& [step, first] : axes) {
+      cells |= cells >> step;
+      cells = (cells & first) | (cells >> step & first << step);
+    }
+    return cells;
+  }
+
+  std::vector<Slot> slots_; ///< Of a power of two.
+  int shift_ = 64 - 6;      ///< As that of an index.
+  std::size_t blocks_ = 0, size_ = 0;
 };
 
 } // namespace internal

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -92,27 +93,6 @@ private:
   Symmetric_sum second_;
 };
 
-/// Which cells of a grid are occupied.
-class Occupied_cells
-{
-public:
-  std::size_t size() const { return set_.size(); }
-
-  /// The cells, packed.
-  std::vector<std::uint64_t> cells() const { return set_.cells(); }
-
-  void add(const Cubic_grid&, const Grid_cell& cell, const Vector3&) { set_.insert(cell); }
-
-  /// Adds the cells of `fine`, which is as fine as the grid of this one or finer.
-  void add(const Cubic_grid& grid, const Occupied_cells& other, const Cubic_grid& fine)
-  {
-    set_.insert_around(other.cells(), grid.around(fine));
-  }
-
-private:
-  Cell_set set_;
-};
-
 /// The moments of the points in the cells of a grid.
 class Moment_cells
 {
@@ -172,17 +152,16 @@ private:
   std::vector<Cell_moments> moments_;
 };
 
-/// The cells of points, `Occupied_cells` or `Moment_cells`, in the finest cubic grid that has no more
-/// than a bounded number of them; it depends on the set of points only. Grids of parts of the points
-/// add up to the grid of all.
-template <typename Cells>
-class Fine_grid
+/// The moments of points in the cells of the finest cubic grid that has no more than a bounded number
+/// of them; it depends on the set of points only. Grids of parts of the points add up to the grid of
+/// all.
+class Moment_grid
 {
 public:
-  explicit Fine_grid(std::size_t maximum_cells) : maximum_cells_(maximum_cells) {}
+  explicit Moment_grid(std::size_t maximum_cells) : maximum_cells_(maximum_cells) {}
 
   const Cubic_grid& grid() const { return grid_; }
-  const Cells& cells() const { return cells_; }
+  const Moment_cells& cells() const { return cells_; }
 
   void add(const Vector3& p)
   {
@@ -190,7 +169,7 @@ public:
     limit();
   }
 
-  void add(const Fine_grid& other)
+  void add(const Moment_grid& other)
   {
     coarsen_to(std::min(grid_.level, other.grid_.level));
     cells_.add(grid_, other.cells_, other.grid_);
@@ -210,7 +189,7 @@ private:
     if(level == grid_.level)
       return;
     const Cubic_grid fine = std::exchange(grid_, {level, 1});
-    const Cells fine_cells = std::exchange(cells_, Cells());
+    const Moment_cells fine_cells = std::exchange(cells_, Moment_cells());
     cells_.add(grid_, fine_cells, fine);
     cell_of_ = Cell_of_point(grid_);
   }
@@ -218,10 +197,59 @@ private:
   std::size_t maximum_cells_;
   Cubic_grid grid_;
   Cell_of_point cell_of_{grid_};
-  Cells cells_;
+  Moment_cells cells_;
 };
 
-using Moment_grid = Fine_grid<Moment_cells>;
+/// Which cells are occupied by points, in a grid that gets coarser as they come. Memory is bounded by
+/// the number of blocks of cells, which are fewer than cells: so points may be read at a level that is
+/// finer by two than the one that is asked for, and that is found in the end.
+class Occupied_cells
+{
+public:
+  /// Of no points, at a level to begin with.
+  Occupied_cells(int level, std::size_t maximum_blocks)
+    : maximum_blocks_(maximum_blocks), grid_{level, 1}
+  {}
+
+  const Cubic_grid& grid() const { return grid_; }
+  const Cell_set& cells() const { return cells_; }
+
+  void add(const Vector3& p)
+  {
+    cells_.insert(cell_of_(p));
+    limit();
+  }
+
+  /// Adds the cells of other points.
+  void add(Occupied_cells other)
+  {
+    while(grid_.level > other.grid_.level)
+      coarsen();
+    while(other.grid_.level > grid_.level)
+      other.coarsen();
+    cells_.add(std::move(other.cells_));
+    limit();
+  }
+
+  void coarsen()
+  {
+    --grid_.level;
+    cells_ = cells_.coarsened();
+    cell_of_ = Cell_of_point(grid_);
+  }
+
+private:
+  void limit()
+  {
+    while(cells_.blocks() > maximum_blocks_)
+      coarsen();
+  }
+
+  std::size_t maximum_blocks_;
+  Cubic_grid grid_;
+  Cell_of_point cell_of_{grid_};
+  Cell_set cells_;
+};
 
 /// A level of a grid mixture: its cells, in ascending order, and the moments of their points.
 struct Grid_level
@@ -239,39 +267,83 @@ struct Grid_level
   }
 };
 
-/// Parts into which a large cloud is split: there is work for eight threads.
-constexpr std::size_t cloud_parts = 8;
-
-/// The occupied cells of the fine grid of a cloud.
-template <typename ConcurrencyTag>
-Fine_grid<Occupied_cells> occupied_cells(const Point_blocks& points, std::size_t maximum_cells)
+/// The level that the fine grid of a cloud probably has, as some of the points tell.
+inline int probable_level(const Point_blocks& points, std::size_t maximum_cells)
 {
-  constexpr bool parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
-  // A part of fewer points has nearly as many cells, and the union costs more than the parts save.
-  const std::size_t worth_a_part = 16 * maximum_cells;
-  std::vector<Fine_grid<Occupied_cells>> parts(
-    parallel ? std::min(cloud_parts, 1 + points.size() / worth_a_part) : 1,
-    Fine_grid<Occupied_cells>(maximum_cells));
-  parallel_for<ConcurrencyTag>(parts.size(), [&](std::size_t k) {
-    points.visit_part(k, parts.size(), [&](std::size_t, const Vector3& p) { parts[k].add(p); });
-  });
-  for(std::size_t k = 1; k < parts.size(); ++k)
-    parts.front().add(parts[k]);
-  return std::move(parts.front());
+  constexpr int coarse_level = 8; // far coarser than the fine grid of so many points
+  constexpr std::size_t blocks = 64;
+  constexpr std::size_t points_of_cell = 8; // on average: then hardly any cell has none of them
+  Occupied_cells some(coarse_level, maximum_cells);
+  const std::size_t step = 1 + points.number_of_blocks() / blocks;
+  std::size_t size = 0;
+  for(std::size_t b = 0; b < points.number_of_blocks(); b += step)
+    for(const Vector3& p : points.block(b)) {
+      some.add(p);
+      ++size;
+    }
+  while(points_of_cell * some.cells().size() > size)
+    some.coarsen();
+  int level = some.grid().level;
+  for(std::size_t cells = 4 * some.cells().size(); cells <= maximum_cells && level < finest_level;
+      cells *= 4) // as a surface has
+    ++level;
+  return level;
+}
+
+/// The occupied cells of a cloud, read at a level; in the end a coarser one, if there are more than
+/// `maximum_cells`.
+template <typename ConcurrencyTag>
+Occupied_cells occupied_cells(const Point_blocks& points, int level, std::size_t maximum_cells)
+{
+  Occupied_cells result = parallel_sum<ConcurrencyTag>(
+    points.number_of_blocks(), Occupied_cells(level, maximum_cells),
+    [&](std::size_t b, Occupied_cells& cells) {
+      for(const Vector3& p : points.block(b))
+        cells.add(p);
+    });
+  while(result.cells().size() > maximum_cells)
+    result.coarsen();
+  return result;
+}
+
+/// The occupied cells of a cloud in the finest cubic grid that has no more than `maximum_cells`.
+template <typename ConcurrencyTag>
+Occupied_cells occupied_cells(const Point_blocks& points, std::size_t maximum_cells)
+{
+  int level = finest_level;
+  if(points.size() > maximum_cells)
+    level = std::min(level, probable_level(points, maximum_cells) + 1);
+  for(;; ++level) {
+    Occupied_cells result = occupied_cells<ConcurrencyTag>(points, level, maximum_cells);
+    if(level == finest_level || result.grid().level < level) // else a finer one may do
+      return result;
+  }
+}
+
+/// The cells that `around` finds around packed ones; of more than `most` some may be missing.
+template <typename ConcurrencyTag>
+Cell_set cells_around(const std::vector<std::uint64_t>& cells, const Cell_around& around,
+                      std::size_t most = std::numeric_limits<std::size_t>::max())
+{
+  constexpr std::size_t block = 1 << 10;
+  return parallel_sum<ConcurrencyTag>(
+    (cells.size() + block - 1) / block, Cell_set(), [&](std::size_t b, Cell_set& found) {
+      const std::size_t end = std::min(cells.size(), (b + 1) * block);
+      for(std::size_t i = b * block; i < end && found.size() <= most; ++i)
+        found.insert(around(unpacked(cells[i])));
+    });
 }
 
 /// The finest grid with at most `wanted` cells around those of a finer grid: the wider cells are, the
 /// fewer.
-inline Cubic_grid patch_grid(const std::vector<std::uint64_t>& cells, const Cubic_grid& fine,
-                             std::size_t wanted)
+template <typename ConcurrencyTag>
+Cubic_grid patch_grid(const std::vector<std::uint64_t>& cells, const Cubic_grid& fine,
+                      std::size_t wanted)
 {
   if(cells.size() <= wanted)
     return fine;
-  Cell_set around;
   const auto too_many = [&](std::int32_t factor) {
-    around.clear();
-    around.insert_around(cells, Cell_around(factor));
-    return around.size() > wanted;
+    return cells_around<ConcurrencyTag>(cells, Cell_around(factor), wanted).size() > wanted;
   };
   std::int32_t narrow = 1, wide = 2;
   for(; too_many(wide); wide *= 2)
@@ -284,12 +356,11 @@ inline Cubic_grid patch_grid(const std::vector<std::uint64_t>& cells, const Cubi
 }
 
 /// The level of `grid`, around `cells` of a finer grid, without moments.
-inline Grid_level empty_level(const Cubic_grid& grid, const std::vector<std::uint64_t>& cells,
-                              const Cubic_grid& fine)
+template <typename ConcurrencyTag>
+Grid_level empty_level(const Cubic_grid& grid, const std::vector<std::uint64_t>& cells,
+                       const Cubic_grid& fine)
 {
-  Cell_set set;
-  set.insert_around(cells, grid.around(fine));
-  std::vector<std::uint64_t> around = set.cells();
+  std::vector<std::uint64_t> around = cells_around<ConcurrencyTag>(cells, grid.around(fine)).cells();
   std::sort(around.begin(), around.end());
   return {grid, Moment_cells(around)};
 }
@@ -298,10 +369,13 @@ inline Grid_level empty_level(const Cubic_grid& grid, const std::vector<std::uin
 inline Grid_level coarser_level(const Cubic_grid& grid, const Moment_cells& cells,
                                 const Cubic_grid& fine)
 {
-  Grid_level result = empty_level(grid, cells.cells(), fine);
+  Grid_level result = empty_level<Sequential_tag>(grid, cells.cells(), fine);
   result.cells.add(grid, cells, fine);
   return result;
 }
+
+/// Parts into which a large cloud is split: there is work for eight threads.
+constexpr std::size_t cloud_parts = 8;
 
 /// Adds the points to the cells of `level`, and tells the cell of every point.
 template <typename ConcurrencyTag>
@@ -358,8 +432,9 @@ Grid_mixture grid_moments(const Point_blocks& points, const Grid_options& option
     return result;
   const auto fine = occupied_cells<ConcurrencyTag>(points, options.maximum_fine_cells());
   const std::vector<std::uint64_t> cells = fine.cells().cells();
-  const Cubic_grid grid = patch_grid(cells, fine.grid(), options.patches(points.size()));
-  result.levels.push_back(empty_level(grid, cells, fine.grid()));
+  const Cubic_grid grid =
+    patch_grid<ConcurrencyTag>(cells, fine.grid(), options.patches(points.size()));
+  result.levels.push_back(empty_level<ConcurrencyTag>(grid, cells, fine.grid()));
   result.cell_of_point = add_points<ConcurrencyTag>(points, result.levels.front());
   result.add_coarser_levels(number_of_levels);
   return result;
@@ -376,8 +451,9 @@ inline Grid_mixture grid_moments(const Moment_grid& fine, const Grid_options& op
   Grid_mixture result;
   if(!(points > 0))
     return result;
-  const Cubic_grid grid = patch_grid(fine.cells().cells(), fine.grid(),
-                                     options.patches(static_cast<std::size_t>(points)));
+  const Cubic_grid grid =
+    patch_grid<Sequential_tag>(fine.cells().cells(), fine.grid(),
+                               options.patches(static_cast<std::size_t>(points)));
   result.levels.push_back(coarser_level(grid, fine.cells(), fine.grid()));
   result.add_coarser_levels(number_of_levels);
   return result;

@@ -90,7 +90,7 @@ inline Vector3 attracted(const Sample& sample, double slab, const Oriented_mixtu
 {
   const double h = sample.kernel_radius;
   const Oriented_mixture::Level& level = mixture.level_for(level_ratio * h);
-  level.search.within(sample.position, kernel_reach * h, near);
+  level.within(sample.position, kernel_reach * h, near);
 
   Matrix3 normal_tensor = Matrix3::Zero();
   std::vector<double> gates;
@@ -200,7 +200,7 @@ Projection_outcome project_samples(std::vector<Sample>& samples, const Oriented_
         return;
       std::vector<std::size_t> near;
       const Vector3 moved = attracted(s, s.kernel_radius / options.kernel_ratio, mixture, near);
-      const double clearance = std::sqrt(mixture.finest().search.nearest(moved).squared_distance);
+      const double clearance = mixture.finest().distance(moved);
       s.frozen = (moved - s.position).norm() < options.tolerance * s.kernel_radius ||
                  clearance < options.least_clearance * s.radius;
       if(clearance >= options.least_clearance * s.radius) {

@@ -5,13 +5,15 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_ORIENTED_MIXTURE_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/Box_tree.h>
-#include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/attraction.h>
 #include <CGAL/Point_set_skeletonization_3/internal/grid_cells.h>
+#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -87,28 +89,54 @@ class Oriented_mixture
 public:
   struct Level
   {
-    Level(const std::vector<Oriented_gaussian>& components, double size)
+    template <typename ConcurrencyTag>
+    Level(const std::vector<Oriented_gaussian>& components, double size, ConcurrencyTag tag)
       : attractors(components.begin(), components.end()), cell_size(size),
-        search(components.size(), [&](std::size_t i) { return components[i].gaussian.mean; }),
-        tree(components.size(), [&](std::size_t i) { return components[i].gaussian.mean; })
+        tree(
+          components.size(), [&](std::size_t i) { return components[i].gaussian.mean; }, tag)
     {}
+
+    /// Writes the indices of all components closer than `radius` to `center` to `result`, ascending.
+    void within(const Vector3& center, double radius, std::vector<std::size_t>& result) const
+    {
+      result.clear();
+      tree.visit_within(center, radius,
+                        [&](std::size_t k, double) { result.push_back(tree.order()[k]); });
+      std::sort(result.begin(), result.end());
+    }
+
+    /// Distance from `q` to the nearest component.
+    double distance(const Vector3& q) const
+    {
+      double squared = std::numeric_limits<double>::infinity();
+      tree.visit_below(
+        squared, [&](std::size_t node) { return tree.boxes()[node].squared_distance(q); },
+        [&](std::size_t k) {
+          squared = std::min(squared, (tree.positions()[k] - q).squaredNorm());
+        });
+      return std::sqrt(squared);
+    }
 
     std::vector<Oriented_attractor> attractors;
     double cell_size;
-    Neighbor_search search;
     Box_tree tree;
   };
 
   /// `finest` with components `spacing` apart. Every level is twice as coarse as the one before,
   /// down to a handful of components.
-  Oriented_mixture(std::vector<Oriented_gaussian> finest, double spacing)
+  template <typename ConcurrencyTag>
+  Oriented_mixture(const std::vector<Oriented_gaussian>& finest, double spacing, ConcurrencyTag tag)
   {
-    levels_.push_back(std::make_unique<Level>(finest, spacing));
-    while(finest.size() > 16 && spacing < 1) {
-      spacing *= 2;
-      finest = merged(finest, spacing);
-      levels_.push_back(std::make_unique<Level>(finest, spacing));
+    std::vector<std::vector<Oriented_gaussian>> levels{finest};
+    std::vector<double> sizes{spacing};
+    while(levels.back().size() > 16 && sizes.back() < 1) {
+      sizes.push_back(2 * sizes.back());
+      levels.push_back(merged(levels.back(), sizes.back()));
     }
+    levels_.resize(levels.size());
+    parallel_for<ConcurrencyTag>(levels.size(), [&](std::size_t k) {
+      levels_[k] = std::make_unique<Level>(levels[k], sizes[k], tag);
+    });
   }
 
   const Level& finest() const { return *levels_.front(); }

@@ -8,11 +8,14 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
+#include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 #endif
 
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
@@ -38,6 +41,40 @@ void parallel_for(std::size_t size, const Body& body)
 #endif
   for(std::size_t i = 0; i < size; ++i)
     body(i);
+}
+
+/// Calls `first()` and `second()`, possibly concurrently under `Parallel_tag`.
+template <typename ConcurrencyTag, typename First, typename Second>
+void parallel_invoke(const First& first, const Second& second)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
+    tbb::parallel_invoke(first, second);
+    return;
+  }
+#endif
+  first();
+  second();
+}
+
+/// Calls `body(i, value)` for `0 <= i < size`, where `value` is a copy of `none`; under `Parallel_tag`
+/// one of every thread, and `value.add(other)` puts them together. Which thread called what, and in
+/// which order they are put together, must not matter to the result.
+template <typename ConcurrencyTag, typename Value, typename Body>
+Value parallel_sum(std::size_t size, const Value& none, const Body& body)
+{
+  Value sum = none;
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
+    tbb::combinable<Value> values([&] { return none; });
+    parallel_for<ConcurrencyTag>(size, [&](std::size_t i) { body(i, values.local()); });
+    values.combine_each([&](Value& value) { sum.add(std::move(value)); });
+    return sum;
+  }
+#endif
+  for(std::size_t i = 0; i < size; ++i)
+    body(i, sum);
+  return sum;
 }
 
 } // namespace internal

@@ -96,7 +96,8 @@ std::vector<Patch> surface_patches(const Gaussians& gaussians)
 {
   std::vector<Patch> patches(gaussians.size());
   std::vector<std::vector<Neighbor_search::Neighbor>> nearest(gaussians.size());
-  const Neighbor_search search(gaussians.size(), [&](std::size_t i) { return gaussians[i].mean; });
+  const Neighbor_search search(
+    gaussians.size(), [&](std::size_t i) { return gaussians[i].mean; }, ConcurrencyTag());
 
   parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
     Patch& patch = patches[i];
@@ -112,21 +113,25 @@ std::vector<Patch> surface_patches(const Gaussians& gaussians)
     estimate_normal(patch, gaussians, nearest[i]);
   });
 
-  for(std::size_t i = 0; i < patches.size(); ++i)
+  parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
     for(const auto& neighbor : nearest[i]) {
       const std::size_t j = neighbor.index;
       const double reach = adjacency_reach * std::min(patches[i].spacing, patches[j].spacing);
-      if(j == i || neighbor.squared_distance > reach * reach ||
-         face_each_other(patches[i], patches[j]))
-        continue;
-      patches[i].neighbors.push_back(j);
-      patches[j].neighbors.push_back(i);
+      if(j != i && neighbor.squared_distance <= reach * reach &&
+         !face_each_other(patches[i], patches[j]))
+        patches[i].neighbors.push_back(j);
     }
-  for(Patch& patch : patches) {
-    std::vector<std::size_t>& neighbors = patch.neighbors;
+  });
+  std::vector<std::vector<std::size_t>> back(patches.size());
+  for(std::size_t i = 0; i < patches.size(); ++i)
+    for(std::size_t j : patches[i].neighbors)
+      back[j].push_back(i);
+  parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
+    std::vector<std::size_t>& neighbors = patches[i].neighbors;
+    neighbors.insert(neighbors.end(), back[i].begin(), back[i].end());
     std::sort(neighbors.begin(), neighbors.end());
     neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
-  }
+  });
   return patches;
 }
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PATCH_ORIENTATION_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PATCH_ORIENTATION_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 
 #include <algorithm>
@@ -87,17 +88,18 @@ inline void orient_patches(std::vector<Patch>& patches)
 /// How far the orientation of every patch can be trusted, in [0, 1]: how flat it is, times how well
 /// its neighbours' normals agree with it. Near 0 on twigs thinner than the sampling and in heavy
 /// noise: there whatever relies on a normal has to fade out.
-inline std::vector<double> orientation_confidence(const std::vector<Patch>& patches)
+template <typename ConcurrencyTag>
+std::vector<double> orientation_confidence(const std::vector<Patch>& patches)
 {
   std::vector<double> confidence(patches.size(), 0);
-  for(std::size_t i = 0; i < patches.size(); ++i) {
+  parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
     double agreement = 0;
     for(std::size_t j : patches[i].neighbors)
       agreement += continuation(patches[i], patches[j]);
     if(!patches[i].neighbors.empty())
       agreement /= static_cast<double>(patches[i].neighbors.size());
     confidence[i] = patches[i].planarity * std::max(0.0, agreement);
-  }
+  });
   return confidence;
 }
 
@@ -118,9 +120,10 @@ inline bool look_at_each_other(const Patch& a, const Patch& b)
 
 /// The orientation gate: patches that look at each other are no neighbours, as far as their
 /// orientation can be trusted.
-inline void part_facing_patches(std::vector<Patch>& patches, const std::vector<double>& confidence)
+template <typename ConcurrencyTag>
+void part_facing_patches(std::vector<Patch>& patches, const std::vector<double>& confidence)
 {
-  for(std::size_t i = 0; i < patches.size(); ++i) {
+  parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
     std::vector<std::size_t>& neighbors = patches[i].neighbors;
     neighbors.erase(std::remove_if(neighbors.begin(), neighbors.end(),
                                    [&](std::size_t j) {
@@ -129,7 +132,7 @@ inline void part_facing_patches(std::vector<Patch>& patches, const std::vector<d
                                             look_at_each_other(patches[i], patches[j]);
                                    }),
                     neighbors.end());
-  }
+  });
 }
 
 } // namespace internal

@@ -9,6 +9,7 @@
 #include <CGAL/Medial_sample_3.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Normalization.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Skeletonization_stages.h>
+#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/samples.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -82,27 +83,37 @@ struct Indices_of<Graph, std::void_t<decltype(boost::vertex_bundle_type<Graph>::
 
 /// The points of every vertex, ascending. Of ten million points they are most of the memory: no more
 /// of it than they need.
-template <typename Indices>
+template <typename ConcurrencyTag, typename Indices>
 std::vector<Indices> points_of_vertices(const Skeletonization_stages& stages)
 {
-  const auto for_each_point = [&](const auto& visit) {
-    for(std::size_t p = 0; p < stages.number_of_points(); ++p)
+  const std::size_t points = stages.number_of_points(), vertices = stages.graph.vertices.size();
+  constexpr std::size_t parts = 8; // of the points: there is work for so many threads
+  const auto for_each_point = [&](std::size_t part, const auto& visit) {
+    for(std::size_t p = part * points / parts; p < (part + 1) * points / parts; ++p)
       if(const std::size_t v = stages.vertex_of_point(p); v != Skeletonization_stages::none)
         visit(p, v);
   };
-  std::vector<std::size_t> size(stages.graph.vertices.size(), 0);
-  for_each_point([&](std::size_t, std::size_t v) { ++size[v]; });
-  std::vector<Indices> result(size.size());
-  for(std::size_t v = 0; v < size.size(); ++v)
-    result[v].reserve(size[v]);
-  for_each_point([&](std::size_t p, std::size_t v) {
-    result[v].push_back(static_cast<typename Indices::value_type>(p));
+  std::vector<std::vector<std::size_t>> place(parts, std::vector<std::size_t>(vertices, 0));
+  parallel_for<ConcurrencyTag>(parts, [&](std::size_t part) { // number of points, at first
+    for_each_point(part, [&](std::size_t, std::size_t v) { ++place[part][v]; });
+  });
+  std::vector<Indices> result(vertices);
+  parallel_for<ConcurrencyTag>(vertices, [&](std::size_t v) {
+    std::size_t size = 0;
+    for(std::vector<std::size_t>& part : place)
+      size += std::exchange(part[v], size);
+    result[v].resize(size);
+  });
+  parallel_for<ConcurrencyTag>(parts, [&](std::size_t part) {
+    for_each_point(part, [&](std::size_t p, std::size_t v) {
+      result[v][place[part][v]++] = static_cast<typename Indices::value_type>(p);
+    });
   });
   return result;
 }
 
 /// Replaces `skeleton` by the result of the last stage.
-template <typename GeomTraits, typename SkeletonGraph>
+template <typename GeomTraits, typename ConcurrencyTag, typename SkeletonGraph>
 void set_public_skeleton(const Skeletonization_stages& stages, const Normalization& normalization,
                          SkeletonGraph& skeleton)
 {
@@ -121,7 +132,7 @@ void set_public_skeleton(const Skeletonization_stages& stages, const Normalizati
   if constexpr(std::is_void<Indices>::value)
     skeleton = result;
   else {
-    std::vector<Indices> indices = points_of_vertices<Indices>(stages);
+    std::vector<Indices> indices = points_of_vertices<ConcurrencyTag, Indices>(stages);
     skeleton = result;
     for(std::size_t v = 0; v < indices.size(); ++v)
       skeleton[vertex(v, skeleton)].indices = std::move(indices[v]);

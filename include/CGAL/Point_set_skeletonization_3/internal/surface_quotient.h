@@ -48,14 +48,17 @@ public:
         separator_of_patch_[i] = s;
 
     std::vector<Link> links = links_between(patches, joints);
-    std::stable_sort(links.begin(), links.end(),
+    const auto narrow = std::stable_partition(links.begin(), links.end(), [](const Link& link) {
+      return link.joint >= Limb_joints::least_joint;
+    });
+    std::stable_sort(narrow, links.end(),
                      [](const Link& a, const Link& b) { return a.joint > b.joint; });
     Connectivity whole(2 * separators.size() + patches.size()); // with the separators' two sides one
     for(std::size_t s = 0; s < separators.size(); ++s)
       whole.join(node(s, 0), node(s, 1));
-    for(const Link& link : links)
-      if(whole.join(link.a, link.b) || link.joint >= Limb_joints::least_joint)
-        connectivity_.join(link.a, link.b);
+    for(auto link = links.begin(); link != links.end(); ++link)
+      if(whole.join(link->a, link->b) || link < narrow)
+        connectivity_.join(link->a, link->b);
   }
 
   /// The separator of a patch; `none` if it belongs to a piece.
@@ -89,8 +92,10 @@ private:
       for(std::size_t j : patches[i].neighbors) {
         const bool in_one = separator_of_patch_[i] != none &&
                             separator_of_patch_[i] == separator_of_patch_[j];
+        if(j < i || in_one)
+          continue;
         const std::size_t a = end(i, j), b = end(j, i);
-        if(i < j && !in_one && a != none && b != none)
+        if(a != none && b != none)
           links.push_back({joints.width(i, j), a, b});
       }
     return links;
