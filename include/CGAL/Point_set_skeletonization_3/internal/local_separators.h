@@ -24,11 +24,13 @@ namespace Point_set_skeletonization_3 {
 namespace internal {
 
 /// Patches to grow regions from, ascending: no sample of one at the place of that of another.
-inline std::vector<std::size_t> separator_seeds(const std::vector<Sample>& samples)
+template <typename ConcurrencyTag>
+std::vector<std::size_t> separator_seeds(const std::vector<Sample>& samples)
 {
   // Regions grown from places closer than this share of their radius would be the same.
   constexpr double same_place = 0.15;
-  const Neighbor_search places(samples.size(), [&](std::size_t i) { return samples[i].position; });
+  const Neighbor_search places(
+    samples.size(), [&](std::size_t i) { return samples[i].position; }, ConcurrencyTag());
   std::vector<bool> tried(samples.size(), false);
   std::vector<std::size_t> seeds;
   std::vector<std::size_t> near;
@@ -93,7 +95,7 @@ std::vector<Local_separator> disjoint_separators(const std::vector<Patch>& patch
                                                  const Winding_number& winding_number)
 {
   std::vector<Local_separator> found =
-      grown_separators<ConcurrencyTag>(patches, samples, separator_seeds(samples));
+      grown_separators<ConcurrencyTag>(patches, samples, separator_seeds<ConcurrencyTag>(samples));
   std::sort(found.begin(), found.end(), [](const Local_separator& a, const Local_separator& b) {
     return a.length != b.length ? a.length < b.length : a.patches < b.patches;
   });

@@ -9,6 +9,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 
 #include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
@@ -37,8 +38,10 @@ constexpr double least_inside = 0.25;
 class Winding_number
 {
 public:
-  explicit Winding_number(const std::vector<Patch>& patches)
-    : tree_(patches.size(), [&](std::size_t i) { return patches[i].mean; })
+  template <typename ConcurrencyTag = Sequential_tag>
+  explicit Winding_number(const std::vector<Patch>& patches, ConcurrencyTag tag = ConcurrencyTag())
+    : tree_(
+        patches.size(), [&](std::size_t i) { return patches[i].mean; }, tag)
   {
     if(patches.empty())
       return;
@@ -226,7 +229,7 @@ std::unique_ptr<Winding_number> settle_orientation(std::vector<Patch>& patches)
   std::unique_ptr<Winding_number> winding_number;
   std::vector<std::array<double, 2>> sides; // in front of a patch and behind it
   const auto look = [&] {
-    winding_number = std::make_unique<Winding_number>(patches);
+    winding_number = std::make_unique<Winding_number>(patches, ConcurrencyTag());
     sides = winding_number->template beside_patches<ConcurrencyTag>([&](std::size_t i) {
       const Vector3 step = patches[i].spacing * patches[i].normal;
       return std::array<Vector3, 2>{{patches[i].mean + step, patches[i].mean - step}};
@@ -248,7 +251,7 @@ std::unique_ptr<Winding_number> settle_orientation(std::vector<Patch>& patches)
   if(turn_where([](double in_front, double behind) { return in_front + behind < inside_out; }))
     look();
   if(turn_where([](double in_front, double behind) { return in_front > behind; }))
-    winding_number = std::make_unique<Winding_number>(patches);
+    winding_number = std::make_unique<Winding_number>(patches, ConcurrencyTag());
   return winding_number;
 }
 
