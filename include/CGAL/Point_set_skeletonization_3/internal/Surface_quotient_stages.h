@@ -43,7 +43,7 @@ Projection_outcome project_patches(const Oriented_surface<ConcurrencyTag>& surfa
   samples = medial_samples<ConcurrencyTag>(surface.patches, surface.confidence,
                                            *surface.winding_number, balls, options);
   const Projection_outcome outcome =
-    project_samples<ConcurrencyTag>(samples, *surface.mixture, options, progress.part(0.6, 0.9));
+    project_samples<ConcurrencyTag>(samples, surface, options, progress.part(0.6, 0.9));
   bring_back_lost_samples<ConcurrencyTag>(samples, surface.patches, *surface.winding_number);
   return outcome;
 }

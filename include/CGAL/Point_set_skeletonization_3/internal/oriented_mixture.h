@@ -4,7 +4,6 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_ORIENTED_MIXTURE_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_ORIENTED_MIXTURE_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/attraction.h>
 #include <CGAL/Point_set_skeletonization_3/internal/grid_cells.h>
@@ -54,6 +53,19 @@ inline std::vector<Oriented_gaussian> merged(const std::vector<Oriented_gaussian
   return result;
 }
 
+/// Whether one sees a component from inside if it lies at `d` from there, in [0, 1]: the orientation
+/// gate. It closes between 6 and 17 degrees behind the component's tangent plane - the plane of a
+/// curved patch is only so exact -, and only as far as the normal can be trusted.
+inline double visibility(const Vector3& d, const Vector3& normal, double confidence)
+{
+  const double length = d.norm();
+  if(!(length > 0))
+    return 1;
+  const double cosine = normal.dot(d) / length;
+  const double hidden = std::min(1.0, std::max(0.0, (-0.1 - cosine) / 0.2));
+  return 1 - confidence * hidden;
+}
+
 /// A mixture component as the projection uses it.
 struct Oriented_attractor
 {
@@ -65,18 +77,10 @@ struct Oriented_attractor
   Vector3 normal;
   double confidence;
 
-  /// Whether a sample at `q` sees the component from inside, in [0, 1]: the orientation gate. It
-  /// closes between 6 and 17 degrees behind the component's tangent plane - the plane of a curved
-  /// patch is only so exact -, and only as far as the normal can be trusted.
+  /// Whether a sample at `q` sees the component from inside, in [0, 1].
   double seen_from(const Vector3& q) const
   {
-    const Vector3 d = attractor.mean() - q;
-    const double length = d.norm();
-    if(!(length > 0))
-      return 1;
-    const double cosine = normal.dot(d) / length;
-    const double hidden = std::min(1.0, std::max(0.0, (-0.1 - cosine) / 0.2));
-    return 1 - confidence * hidden;
+    return visibility(attractor.mean() - q, normal, confidence);
   }
 };
 
@@ -89,14 +93,12 @@ public:
   {
     Level(const std::vector<Oriented_gaussian>& components, double size)
       : attractors(components.begin(), components.end()), cell_size(size),
-        search(components.size(), [&](std::size_t i) { return components[i].gaussian.mean; }),
-        tree(components.size(), [&](std::size_t i) { return components[i].gaussian.mean; })
+        search(components.size(), [&](std::size_t i) { return components[i].gaussian.mean; })
     {}
 
     std::vector<Oriented_attractor> attractors;
     double cell_size;
     Neighbor_search search;
-    Box_tree tree;
   };
 
   /// `finest` with components `spacing` apart. Every level is twice as coarse as the one before,
