@@ -64,6 +64,11 @@ std::vector<Patch> ellipsoid(std::size_t size)
   return patches;
 }
 
+Box_tree tree_over(const std::vector<Patch>& patches)
+{
+  return Box_tree(patches.size(), [&](std::size_t i) { return patches[i].mean; });
+}
+
 double sum_of_dipoles(const std::vector<Patch>& patches, const Vector3& q)
 {
   double sum = 0;
@@ -158,7 +163,8 @@ TEST_CASE("The facing ball is the third smallest of those with all patches that 
   std::vector<double> confidence(patches.size());
   for(std::size_t i = 0; i < confidence.size(); ++i)
     confidence[i] = i % 10 == 0 ? trusted_orientation / 2 : 1;
-  const auto found = Facing_balls(patches, confidence).radii<CGAL::Sequential_tag>();
+  const auto found =
+    Facing_balls(patches, confidence, tree_over(patches)).radii<CGAL::Sequential_tag>();
   for(std::size_t i = 0; i < patches.size(); ++i) {
     if(confidence[i] < trusted_orientation) {
       REQUIRE(found[i] == 0);
@@ -174,5 +180,6 @@ TEST_CASE("The facing ball is the third smallest of those with all patches that 
     REQUIRE(radii.size() > 2);
     REQUIRE(found[i] == Approx(radii[2]).epsilon(1e-12));
   }
-  CHECK(Facing_balls({patches[0], patches[1]}, {1, 1}).radii<CGAL::Sequential_tag>()[0] == 0);
+  const std::vector<Patch> two = {patches[0], patches[1]};
+  CHECK(Facing_balls(two, {1, 1}, tree_over(two)).radii<CGAL::Sequential_tag>()[0] == 0);
 }

@@ -34,7 +34,7 @@ Projection_outcome project_patches(const Oriented_surface<ConcurrencyTag>& surfa
                                    std::vector<Sample>& samples)
 {
   const std::vector<double> balls =
-    medial_ball_radii<ConcurrencyTag>(surface.patches, surface.confidence);
+    medial_ball_radii<ConcurrencyTag>(surface.patches, surface.confidence, surface.tree);
   if(!progress(0.5)) {
     Projection_outcome cancelled;
     cancelled.reason = Projection_stop_reason::cancelled;

@@ -29,14 +29,20 @@ constexpr double facing_normals = -0.3;
 class Facing_balls
 {
 public:
-  Facing_balls(const std::vector<Patch>& patches, const std::vector<double>& confidence)
-    : number_of_patches_(patches.size()), trusted_(trusted(confidence)),
-      tree_(trusted_.size(), [&](std::size_t i) { return patches[trusted_[i]].mean; }),
-      normal_boxes_(tree_.boxes_of([&](std::size_t i) { return patches[trusted_[i]].normal; }))
+  /// `tree` is over the patches; it has to stay.
+  Facing_balls(const std::vector<Patch>& patches, const std::vector<double>& confidence,
+               const Box_tree& tree)
+    : tree_(tree)
   {
-    normals_.reserve(trusted_.size());
-    for(std::size_t i : tree_.order())
-      normals_.push_back(patches[trusted_[i]].normal);
+    const auto normal = [&](std::size_t i) -> Vector3 {
+      if(confidence[i] >= trusted_orientation)
+        return patches[i].normal;
+      return Vector3::Zero(); // which faces nothing
+    };
+    normal_boxes_ = tree.boxes_of(normal);
+    normals_.reserve(patches.size());
+    for(std::size_t i : tree.order())
+      normals_.push_back(normal(i));
   }
 
   /// Radii of the balls that touch a patch from inside and a patch that faces it: of the three
@@ -44,12 +50,14 @@ public:
   template <typename ConcurrencyTag>
   std::vector<double> radii() const
   {
-    std::vector<double> result(number_of_patches_, 0);
+    std::vector<double> result(normals_.size(), 0);
     constexpr std::size_t row = 128; // of patches next to each other, which touch much the same ones
     parallel_for<ConcurrencyTag>((normals_.size() + row - 1) / row, [&](std::size_t r) {
       std::array<Touches, row> smallest;
       const std::size_t begin = r * row, end = std::min(normals_.size(), begin + row);
       for(std::size_t k = begin; k < end; ++k) {
+        if(normals_[k].isZero(0))
+          continue;
         Touches& touches = smallest[k - begin];
         // What touches those of a patch nearby bounds them from the start, if it is of the same side.
         for(std::size_t other = k; other-- > begin && !(touches[2].radius < infinity);)
@@ -57,7 +65,7 @@ public:
             add(k, touch.patch, touches);
         find_smallest(k, touches);
         if(touches[2].radius < infinity)
-          result[trusted_[tree_.order()[k]]] = touches[2].radius;
+          result[tree_.order()[k]] = touches[2].radius;
       }
     });
     return result;
@@ -110,20 +118,9 @@ private:
     });
   }
 
-  static std::vector<std::size_t> trusted(const std::vector<double>& confidence)
-  {
-    std::vector<std::size_t> result;
-    for(std::size_t i = 0; i < confidence.size(); ++i)
-      if(confidence[i] >= trusted_orientation)
-        result.push_back(i);
-    return result;
-  }
-
-  std::size_t number_of_patches_;
-  std::vector<std::size_t> trusted_;
-  Box_tree tree_;
+  const Box_tree& tree_;
   std::vector<Box> normal_boxes_; ///< Of every node of the tree.
-  std::vector<Vector3> normals_;  ///< In the order of the tree.
+  std::vector<Vector3> normals_;  ///< In the order of the tree; 0 if not to be trusted.
 };
 
 /// One pass of a median filter over the neighbours on the surface that have a value (> 0).
@@ -178,12 +175,12 @@ inline void limit_slope(std::vector<double>& values, const std::vector<Patch>& p
 /// et al. 2012) are at the mercy of every patch nearby; restricted to patches that face each other
 /// the relative error is that of the patches over the thickness. Three passes of a median filter
 /// remove what is left of outliers, and patches without a ball get that of their surroundings; 0 where
-/// there is none at all.
+/// there is none at all. `tree` is over the patches.
 template <typename ConcurrencyTag>
 std::vector<double> medial_ball_radii(const std::vector<Patch>& patches,
-                                      const std::vector<double>& confidence)
+                                      const std::vector<double>& confidence, const Box_tree& tree)
 {
-  std::vector<double> radii = Facing_balls(patches, confidence).radii<ConcurrencyTag>();
+  std::vector<double> radii = Facing_balls(patches, confidence, tree).radii<ConcurrencyTag>();
   for(int pass = 0; pass < 3; ++pass)
     radii = median_filtered(radii, patches);
   limit_slope(radii, patches);
