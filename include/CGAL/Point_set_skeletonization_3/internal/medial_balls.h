@@ -59,7 +59,7 @@ public:
         if(normals_[k].isZero(0))
           continue;
         Touches& touches = smallest[k - begin];
-        // What touches those of a patch nearby bounds them from the start, if it is of the same side.
+        // What touches the balls of a patch nearby on the same side bounds them from the start.
         for(std::size_t other = k; other-- > begin && !(touches[2].radius < infinity);)
           for(const Touch& touch : smallest[other - begin])
             add(k, touch.patch, touches);
