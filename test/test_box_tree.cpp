@@ -13,6 +13,7 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -62,6 +63,11 @@ std::vector<Patch> ellipsoid(std::size_t size)
     patch.spacing = std::sqrt(patch.area);
   }
   return patches;
+}
+
+Box_tree tree_over(const std::vector<Patch>& patches)
+{
+  return Box_tree(patches.size(), [&](std::size_t i) { return patches[i].mean; });
 }
 
 double sum_of_dipoles(const std::vector<Patch>& patches, const Vector3& q)
@@ -136,19 +142,24 @@ TEST_CASE("The winding number is the sum of all dipoles, up to the error of the 
 {
   CAPTURE(seed);
   const std::vector<Patch> patches = ellipsoid(3000);
-  const Winding_number winding_number(patches);
+  const Box_tree tree = tree_over(patches);
+  const Winding_number winding_number(patches, tree);
   shapes::Random random(seed + 3);
   for(int query = 0; query < 300; ++query) {
     const Vector3 q = 1.5 * random_vector(random);
     const double found = winding_number(q);
     REQUIRE(std::abs(found - sum_of_dipoles(patches, q)) < 0.05);
+    const Vector3 beside = q + Vector3(0.1, 0, 0);
+    const auto both = winding_number(std::array<Vector3, 2>{{q, beside}});
+    REQUIRE(std::abs(both[0] - sum_of_dipoles(patches, q)) < 0.05);
+    REQUIRE(std::abs(both[1] - sum_of_dipoles(patches, beside)) < 0.05);
     const double level = q.cwiseQuotient(Vector3(1, 1, 0.4)).norm(); // 1 on the surface
     if(level < 0.7)
       REQUIRE(found > 0.75);
     if(level > 1.5)
       REQUIRE(found < 0.25);
   }
-  CHECK(Winding_number(std::vector<Patch>())(Vector3::Zero()) == 0);
+  CHECK(Winding_number({}, Box_tree())(Vector3::Zero()) == 0);
 }
 
 TEST_CASE("The facing ball is the third smallest of those with all patches that face one and count")
@@ -158,7 +169,8 @@ TEST_CASE("The facing ball is the third smallest of those with all patches that 
   std::vector<double> confidence(patches.size());
   for(std::size_t i = 0; i < confidence.size(); ++i)
     confidence[i] = i % 10 == 0 ? trusted_orientation / 2 : 1;
-  const auto found = Facing_balls(patches, confidence).radii<CGAL::Sequential_tag>();
+  const auto found =
+    Facing_balls(patches, confidence, tree_over(patches)).radii<CGAL::Sequential_tag>();
   for(std::size_t i = 0; i < patches.size(); ++i) {
     if(confidence[i] < trusted_orientation) {
       REQUIRE(found[i] == 0);
@@ -174,5 +186,6 @@ TEST_CASE("The facing ball is the third smallest of those with all patches that 
     REQUIRE(radii.size() > 2);
     REQUIRE(found[i] == Approx(radii[2]).epsilon(1e-12));
   }
-  CHECK(Facing_balls({patches[0], patches[1]}, {1, 1}).radii<CGAL::Sequential_tag>()[0] == 0);
+  const std::vector<Patch> two = {patches[0], patches[1]};
+  CHECK(Facing_balls(two, {1, 1}, tree_over(two)).radii<CGAL::Sequential_tag>()[0] == 0);
 }

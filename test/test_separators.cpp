@@ -86,10 +86,28 @@ Local_separator torus_separator(int i, int first, int last)
   return result;
 }
 
-bool shrinks(const std::vector<Vector3>& curve)
+// A torus with its winding number.
+struct Solid_torus
 {
-  const std::vector<Patch> patches = torus();
-  return Rubber_band(curve, patches.front().spacing, Winding_number(patches)).shrinks();
+  std::vector<Patch> patches = torus();
+  Box_tree tree{patches.size(), [&](std::size_t i) { return patches[i].mean; }};
+  Winding_number winding_number{patches, tree};
+
+  Rubber_band band(const std::vector<Vector3>& curve) const
+  {
+    return Rubber_band(curve, patches.front().spacing, winding_number);
+  }
+};
+
+bool shrinks(const std::vector<Vector3>& curve) { return Solid_torus().band(curve).shrinks(); }
+
+// A part of the torus along a circle in its plane, from one angle to another.
+std::vector<Vector3> arc(double radius, double from, double to)
+{
+  std::vector<Vector3> result;
+  for(int i = 0; i < 20; ++i)
+    result.push_back(radius * around(from + i * (to - from) / 20));
+  return result;
 }
 
 // The skeleton of 10 000 points with cycles and ends counted.
@@ -122,11 +140,26 @@ TEST_CASE("A rubber band that goes there and back in a bent limb shrinks to a po
   CHECK(shrinks(curve));
 }
 
+TEST_CASE("A rubber band becomes another on the same way, wherever and whichever way it starts")
+{
+  const Solid_torus solid;
+  const Rubber_band band = solid.band(arc(ring_radius, 0, 2 * CGAL_PI));
+  CHECK(band.can_become(band));
+  CHECK(band.can_become(solid.band(arc(ring_radius + 0.1, 1, 1 + 2 * CGAL_PI))));
+  CHECK(band.can_become(solid.band(arc(ring_radius - 0.1, 2, 2 - 2 * CGAL_PI))));
+  // There and back in three quarters of the torus.
+  std::vector<Vector3> bent = arc(ring_radius, 0, 1.5 * CGAL_PI);
+  const std::vector<Vector3> back(bent.rbegin(), bent.rend());
+  bent.insert(bent.end(), back.begin(), back.end());
+  CHECK_FALSE(band.can_become(solid.band(bent)));
+}
+
 TEST_CASE("A ring around a limb is a separator, an arc of it is none")
 {
-  const std::vector<Patch> patches = torus();
+  const Solid_torus solid;
+  const std::vector<Patch>& patches = solid.patches;
+  const Winding_number& winding_number = solid.winding_number;
   const std::vector<Sample> samples = torus_samples(patches);
-  const Winding_number winding_number(patches);
   const Limb_joints joints(patches, samples, 0);
   Way_around way_around(patches, samples, joints, winding_number);
   CHECK_FALSE(way_around.cuts(torus_separator(10, 0, across / 2)));
@@ -157,7 +190,8 @@ TEST_CASE("A limb that is inside out is turned around")
     if(patch.mean.x() > 0.2 && ++turned)
       patch.normal = -patch.normal;
   REQUIRE(turned > patches.size() / 4);
-  settle_orientation<CGAL::Sequential_tag>(patches);
+  const Box_tree tree(patches.size(), [&](std::size_t i) { return patches[i].mean; });
+  settle_orientation<CGAL::Sequential_tag>(patches, tree);
   const std::vector<Patch> right = torus();
   std::size_t wrong = 0;
   for(std::size_t i = 0; i < patches.size(); ++i)

@@ -139,8 +139,18 @@ public:
   void visit_leaves_within(const Vector3& center, double radius, const Visit& visit) const
   {
     const double squared_radius = radius * radius;
+    visit_leaves(
+      [&](std::size_t node) { return boxes_[node].squared_distance(center) < squared_radius; },
+      visit);
+  }
+
+  /// Calls `visit(begin, end)` for every leaf for which `enter(node)` is true for it and all nodes
+  /// above.
+  template <typename Enter, typename Visit>
+  void visit_leaves(const Enter& enter, const Visit& visit) const
+  {
     for(std::size_t n = 0; n < nodes_.size();) {
-      if(boxes_[n].squared_distance(center) >= squared_radius) {
+      if(!enter(n)) {
         n = nodes_[n].after;
         continue;
       }

@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_ORIENTED_SURFACE_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_ORIENTED_SURFACE_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/oriented_mixture.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
@@ -24,21 +25,22 @@ class Oriented_surface
 {
 public:
   explicit Oriented_surface(const Gaussians& gaussians)
-    : patches(surface_patches<ConcurrencyTag>(gaussians)), spacing(median_spacing(patches))
+    : patches(surface_patches<ConcurrencyTag>(gaussians)), spacing(median_spacing(patches)),
+      tree(
+        patches.size(), [&](std::size_t i) { return patches[i].mean; }, ConcurrencyTag())
   {
     orient_patches(patches);
-    winding_number = settle_orientation<ConcurrencyTag>(patches);
+    winding_number = settle_orientation<ConcurrencyTag>(patches, tree);
     confidence = orientation_confidence<ConcurrencyTag>(patches);
     part_facing_patches<ConcurrencyTag>(patches, confidence);
 
     // A patch of a few points is thinner than the surface is known; a tenth of the spacing is not.
     const Matrix3 blur = 0.01 * spacing * spacing * Matrix3::Identity();
-    std::vector<Oriented_gaussian> finest;
+    components.reserve(gaussians.size());
     for(std::size_t i = 0; i < gaussians.size(); ++i)
-      finest.push_back({{gaussians[i].weight, gaussians[i].mean, gaussians[i].covariance + blur},
-                        patches[i].normal,
-                        confidence[i]});
-    mixture = std::make_unique<Oriented_mixture>(finest, spacing, ConcurrencyTag());
+      components.push_back({{gaussians[i].weight, gaussians[i].mean, gaussians[i].covariance + blur},
+                            patches[i].normal,
+                            confidence[i]});
   }
 
   // Its parts refer to each other.
@@ -47,9 +49,10 @@ public:
 
   std::vector<Patch> patches;
   double spacing;
+  Box_tree tree; ///< Over the patches.
   std::vector<double> confidence;
   std::unique_ptr<Winding_number> winding_number;
-  std::unique_ptr<Oriented_mixture> mixture;
+  std::vector<Oriented_gaussian> components; ///< Of the mixture, one for every patch.
 };
 
 } // namespace internal

@@ -53,7 +53,8 @@ public:
     extend();
     centre();
     measure_radii();
-    correct_radii(points_of_vertices());
+    if(noise_ > 0)
+      correct_radii(points_of_vertices());
   }
 
   /// The vertex nearest to every sample; `none` for outliers.
@@ -100,7 +101,8 @@ private:
   {
     const std::vector<std::vector<Vector3>> points = points_of_vertices();
     measure_radii();
-    correct_radii(points);
+    if(noise_ > 0)
+      correct_radii(points);
     extend_ends(graph_, points, [this](const Vector3& q) { return is_inside(q); });
     resample();
   }
@@ -115,8 +117,7 @@ private:
   void measure_radii()
   {
     parallel_for<ConcurrencyTag>(graph_.vertices.size(), [&](std::size_t v) {
-      const double radius =
-        visible_distance(graph_.vertices[v].position, surface_.mixture->finest());
+      const double radius = visible_distance(graph_.vertices[v].position, surface_);
       if(radius > 0)
         graph_.vertices[v].radius = radius;
     });
@@ -129,8 +130,6 @@ private:
   /// not tell the radius, the cross-section need not be round.
   void correct_radii(const std::vector<std::vector<Vector3>>& points)
   {
-    if(!(noise_ > 0))
-      return;
     const auto adjacency = graph_.adjacency();
     for(std::size_t v = 0; v < points.size(); ++v) {
       std::vector<std::size_t> near = adjacency[v];

@@ -34,7 +34,7 @@ Projection_outcome project_patches(const Oriented_surface<ConcurrencyTag>& surfa
                                    std::vector<Sample>& samples)
 {
   const std::vector<double> balls =
-    medial_ball_radii<ConcurrencyTag>(surface.patches, surface.confidence);
+    medial_ball_radii<ConcurrencyTag>(surface.patches, surface.confidence, surface.tree);
   if(!progress(0.5)) {
     Projection_outcome cancelled;
     cancelled.reason = Projection_stop_reason::cancelled;
@@ -43,7 +43,7 @@ Projection_outcome project_patches(const Oriented_surface<ConcurrencyTag>& surfa
   samples = medial_samples<ConcurrencyTag>(surface.patches, surface.confidence,
                                            *surface.winding_number, balls, options);
   const Projection_outcome outcome =
-    project_samples<ConcurrencyTag>(samples, *surface.mixture, options, progress.part(0.6, 0.9));
+    project_samples<ConcurrencyTag>(samples, surface, options, progress.part(0.6, 0.9));
   bring_back_lost_samples<ConcurrencyTag>(samples, surface.patches, *surface.winding_number);
   return outcome;
 }

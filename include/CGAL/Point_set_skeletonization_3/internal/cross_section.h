@@ -56,11 +56,13 @@ inline Cross_section cross_section(const std::vector<Eigen::Vector2d>& boundary)
       const double distance = polar[i].second + t * (polar[i + 1].second - polar[i].second);
       return Eigen::Vector2d(distance * std::cos(angle), distance * std::sin(angle));
     };
+    Eigen::Vector2d p = point(0);
     for(int k = 0; k < pieces; ++k) {
-      const Eigen::Vector2d p = point(k), q = point(k + 1);
+      const Eigen::Vector2d q = point(k + 1);
       const double triangle = (p.x() * q.y() - p.y() * q.x()) / 2; // with the origin
       result.area += triangle;
       moment += triangle * (p + q) / 3;
+      p = q;
     }
   }
   if(result.area > 0)

@@ -29,14 +29,20 @@ constexpr double facing_normals = -0.3;
 class Facing_balls
 {
 public:
-  Facing_balls(const std::vector<Patch>& patches, const std::vector<double>& confidence)
-    : number_of_patches_(patches.size()), trusted_(trusted(confidence)),
-      tree_(trusted_.size(), [&](std::size_t i) { return patches[trusted_[i]].mean; }),
-      normal_boxes_(tree_.boxes_of([&](std::size_t i) { return patches[trusted_[i]].normal; }))
+  /// `tree` is over the patches; it has to stay.
+  Facing_balls(const std::vector<Patch>& patches, const std::vector<double>& confidence,
+               const Box_tree& tree)
+    : tree_(tree)
   {
-    normals_.reserve(trusted_.size());
-    for(std::size_t i : tree_.order())
-      normals_.push_back(patches[trusted_[i]].normal);
+    const auto normal = [&](std::size_t i) -> Vector3 {
+      if(confidence[i] >= trusted_orientation)
+        return patches[i].normal;
+      return Vector3::Zero(); // which faces nothing
+    };
+    normal_boxes_ = tree.boxes_of(normal);
+    normals_.reserve(patches.size());
+    for(std::size_t i : tree.order())
+      normals_.push_back(normal(i));
   }
 
   /// Radii of the balls that touch a patch from inside and a patch that faces it: of the three
@@ -44,15 +50,22 @@ public:
   template <typename ConcurrencyTag>
   std::vector<double> radii() const
   {
-    std::vector<double> result(number_of_patches_, 0);
-    constexpr std::size_t row = 64; // of patches next to each other, which touch much the same ones
+    std::vector<double> result(normals_.size(), 0);
+    constexpr std::size_t row = 128; // of patches next to each other, which touch much the same ones
     parallel_for<ConcurrencyTag>((normals_.size() + row - 1) / row, [&](std::size_t r) {
-      std::array<Touch, 3> smallest;
-      const std::size_t end = std::min(normals_.size(), (r + 1) * row);
-      for(std::size_t k = r * row; k < end; ++k) {
-        find_smallest(k, smallest);
-        const double radius = smallest[2].radius;
-        result[trusted_[tree_.order()[k]]] = radius < infinity ? radius : 0;
+      std::array<Touches, row> smallest;
+      const std::size_t begin = r * row, end = std::min(normals_.size(), begin + row);
+      for(std::size_t k = begin; k < end; ++k) {
+        if(normals_[k].isZero(0))
+          continue;
+        Touches& touches = smallest[k - begin];
+        // What touches the balls of a patch nearby on the same side bounds them from the start.
+        for(std::size_t other = k; other-- > begin && !(touches[2].radius < infinity);)
+          for(const Touch& touch : smallest[other - begin])
+            add(k, touch.patch, touches);
+        find_smallest(k, touches);
+        if(touches[2].radius < infinity)
+          result[tree_.order()[k]] = touches[2].radius;
       }
     });
     return result;
@@ -67,58 +80,47 @@ private:
   {
     double radius = infinity;
     std::size_t patch = none;
-    bool operator<(const Touch& other) const { return radius < other.radius; }
   };
+  using Touches = std::array<Touch, 3>; ///< Those of three balls, the smallest first.
 
-  /// The smallest balls of a patch. What touches those of a patch nearby bounds them from the start.
-  void find_smallest(std::size_t patch, std::array<Touch, 3>& smallest) const
+  /// Adds to the smallest balls of a patch the one that touches another one, if it is among them.
+  void add(std::size_t patch, std::size_t other, Touches& smallest) const
   {
-    for(Touch& touch : smallest)
-      if(touch.patch != none)
-        touch.radius = radius(patch, touch.patch);
-    std::sort(smallest.begin(), smallest.end());
+    if(other == none || normals_[other].dot(normals_[patch]) > facing_normals)
+      return;
+    const Vector3 d = tree_.positions()[other] - tree_.positions()[patch];
+    const double depth = -normals_[patch].dot(d);
+    const Touch touch{depth > 0 ? d.squaredNorm() / (2 * depth) : infinity, other};
+    if(!(touch.radius < smallest[2].radius) || smallest[0].patch == other ||
+       smallest[1].patch == other || smallest[2].patch == other)
+      return;
+    smallest[2] = touch;
+    for(std::size_t i = 2; i > 0 && smallest[i].radius < smallest[i - 1].radius; --i)
+      std::swap(smallest[i], smallest[i - 1]);
+  }
+
+  /// Finds the smallest balls of a patch; `smallest` are some of its balls at first.
+  void find_smallest(std::size_t patch, Touches& smallest) const
+  {
     const Vector3 &mean = tree_.positions()[patch], &normal = normals_[patch];
-    const double height = normal.dot(mean);
-    const auto bound = [&](std::size_t node) {
+    const auto may_touch = [&](std::size_t node) {
       if(normal_boxes_[node].least(normal) > facing_normals)
-        return infinity;
+        return false;
+      // Of the points of the box the one with the least power to the largest ball.
       const Box& box = tree_.boxes()[node];
-      const double depth = height - box.least(normal);
-      return depth > 0 ? box.squared_distance(mean) / (2 * depth) : infinity;
+      const double radius = std::min(smallest[2].radius, std::numeric_limits<double>::max());
+      const Vector3 d = (-radius * normal).cwiseMax(box.lower - mean).cwiseMin(box.upper - mean);
+      return d.dot(d / radius + 2 * normal) < 0;
     };
-    tree_.visit_below(smallest[2].radius, bound, [&](std::size_t other) {
-      const Touch touch{radius(patch, other), other};
-      if(!(touch < smallest[2]) || smallest[0].patch == other || smallest[1].patch == other)
-        return;
-      smallest[2] = touch;
-      std::sort(smallest.begin(), smallest.end());
+    tree_.visit_leaves(may_touch, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t other = begin; other < end; ++other)
+        add(patch, other, smallest);
     });
   }
 
-  /// Of the ball of a patch that touches another one; infinite if they do not face each other.
-  double radius(std::size_t patch, std::size_t other) const
-  {
-    if(normals_[other].dot(normals_[patch]) > facing_normals)
-      return infinity;
-    const Vector3 d = tree_.positions()[other] - tree_.positions()[patch];
-    const double depth = -normals_[patch].dot(d);
-    return depth > 0 ? d.squaredNorm() / (2 * depth) : infinity;
-  }
-
-  static std::vector<std::size_t> trusted(const std::vector<double>& confidence)
-  {
-    std::vector<std::size_t> result;
-    for(std::size_t i = 0; i < confidence.size(); ++i)
-      if(confidence[i] >= trusted_orientation)
-        result.push_back(i);
-    return result;
-  }
-
-  std::size_t number_of_patches_;
-  std::vector<std::size_t> trusted_;
-  Box_tree tree_;
+  const Box_tree& tree_;
   std::vector<Box> normal_boxes_; ///< Of every node of the tree.
-  std::vector<Vector3> normals_;  ///< In the order of the tree.
+  std::vector<Vector3> normals_;  ///< In the order of the tree; 0 if not to be trusted.
 };
 
 /// One pass of a median filter over the neighbours on the surface that have a value (> 0).
@@ -173,12 +175,12 @@ inline void limit_slope(std::vector<double>& values, const std::vector<Patch>& p
 /// et al. 2012) are at the mercy of every patch nearby; restricted to patches that face each other
 /// the relative error is that of the patches over the thickness. Three passes of a median filter
 /// remove what is left of outliers, and patches without a ball get that of their surroundings; 0 where
-/// there is none at all.
+/// there is none at all. `tree` is over the patches.
 template <typename ConcurrencyTag>
 std::vector<double> medial_ball_radii(const std::vector<Patch>& patches,
-                                      const std::vector<double>& confidence)
+                                      const std::vector<double>& confidence, const Box_tree& tree)
 {
-  std::vector<double> radii = Facing_balls(patches, confidence).radii<ConcurrencyTag>();
+  std::vector<double> radii = Facing_balls(patches, confidence, tree).radii<ConcurrencyTag>();
   for(int pass = 0; pass < 3; ++pass)
     radii = median_filtered(radii, patches);
   limit_slope(radii, patches);

@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_PROJECTION_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_PROJECTION_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/Oriented_surface.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial_balls.h>
 #include <CGAL/Point_set_skeletonization_3/internal/oriented_mixture.h>
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -90,7 +92,7 @@ inline Vector3 attracted(const Sample& sample, double slab, const Oriented_mixtu
 {
   const double h = sample.kernel_radius;
   const Oriented_mixture::Level& level = mixture.level_for(level_ratio * h);
-  level.within(sample.position, kernel_reach * h, near);
+  level.search.within(sample.position, kernel_reach * h, near);
 
   Matrix3 normal_tensor = Matrix3::Zero();
   std::vector<double> gates;
@@ -120,15 +122,20 @@ inline Vector3 attracted(const Sample& sample, double slab, const Oriented_mixtu
   return sample.position + step - axis.certainty * axis.direction.dot(step) * axis.direction;
 }
 
-/// Distance from `q` to the nearest component it sees from inside; 0 if it sees none.
-inline double visible_distance(const Vector3& q, const Oriented_mixture::Level& level)
+/// Distance from `q` to the nearest patch it sees from inside; 0 if it sees none.
+template <typename ConcurrencyTag>
+double visible_distance(const Vector3& q, const Oriented_surface<ConcurrencyTag>& surface)
 {
+  const Box_tree& tree = surface.tree;
   double nearest = std::numeric_limits<double>::infinity();
-  level.tree.visit_below(
-    nearest, [&](std::size_t node) { return level.tree.boxes()[node].squared_distance(q); },
+  tree.visit_below(
+    nearest, [&](std::size_t node) { return tree.boxes()[node].squared_distance(q); },
     [&](std::size_t k) {
-      const double squared = (level.tree.positions()[k] - q).squaredNorm();
-      if(squared < nearest && level.attractors[level.tree.order()[k]].seen_from(q) > 0.5)
+      const Vector3 d = tree.positions()[k] - q;
+      const std::size_t i = tree.order()[k];
+      const double squared = d.squaredNorm();
+      if(squared < nearest &&
+         visibility(d, surface.patches[i].normal, surface.confidence[i]) > 0.5)
         nearest = squared;
     });
   return nearest < std::numeric_limits<double>::infinity() ? std::sqrt(nearest) : 0;
@@ -179,10 +186,11 @@ void bring_back_lost_samples(std::vector<Sample>& samples, const std::vector<Pat
   });
 }
 
-/// Moves the samples to the local L1-medians of the mixture. Every iteration reads the positions of
+/// Moves the samples to the local L1-medians of the surface. Every iteration reads the positions of
 /// the one before only, so the bits do not depend on the number of threads.
 template <typename ConcurrencyTag>
-Projection_outcome project_samples(std::vector<Sample>& samples, const Oriented_mixture& mixture,
+Projection_outcome project_samples(std::vector<Sample>& samples,
+                                   const Oriented_surface<ConcurrencyTag>& surface,
                                    const Projection_options& options, const Progress& progress)
 {
   options.check();
@@ -193,14 +201,17 @@ Projection_outcome project_samples(std::vector<Sample>& samples, const Oriented_
   if(options.maximum_iterations == 0)
     for(Sample& s : samples)
       s.frozen = true;
+  std::unique_ptr<Oriented_mixture> mixture; // for the iterations only
+  if(options.maximum_iterations > 0)
+    mixture = std::make_unique<Oriented_mixture>(surface.components, surface.spacing, ConcurrencyTag());
   while(outcome.iterations < options.maximum_iterations && !samples.empty()) {
     parallel_for<ConcurrencyTag>(samples.size(), [&](std::size_t i) {
       Sample& s = samples[i]; // reads and writes no other sample: Jacobi and in place at once
       if(s.frozen)
         return;
       std::vector<std::size_t> near;
-      const Vector3 moved = attracted(s, s.kernel_radius / options.kernel_ratio, mixture, near);
-      const double clearance = mixture.finest().distance(moved);
+      const Vector3 moved = attracted(s, s.kernel_radius / options.kernel_ratio, *mixture, near);
+      const double clearance = std::sqrt(mixture->finest().search.nearest(moved).squared_distance);
       s.frozen = (moved - s.position).norm() < options.tolerance * s.kernel_radius ||
                  clearance < options.least_clearance * s.radius;
       if(clearance >= options.least_clearance * s.radius) {
@@ -221,7 +232,7 @@ Projection_outcome project_samples(std::vector<Sample>& samples, const Oriented_
     }
   }
   parallel_for<ConcurrencyTag>(samples.size(), [&](std::size_t i) {
-    samples[i].radius = visible_distance(samples[i].position, mixture.finest());
+    samples[i].radius = visible_distance(samples[i].position, surface);
   });
   return outcome;
 }

@@ -4,7 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_ORIENTED_MIXTURE_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_ORIENTED_MIXTURE_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/attraction.h>
 #include <CGAL/Point_set_skeletonization_3/internal/grid_cells.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
@@ -56,6 +56,19 @@ inline std::vector<Oriented_gaussian> merged(const std::vector<Oriented_gaussian
   return result;
 }
 
+/// Whether one sees a component from inside if it lies at `d` from there, in [0, 1]: the orientation
+/// gate. It closes between 6 and 17 degrees behind the component's tangent plane - the plane of a
+/// curved patch is only so exact -, and only as far as the normal can be trusted.
+inline double visibility(const Vector3& d, const Vector3& normal, double confidence)
+{
+  const double length = d.norm();
+  if(!(length > 0))
+    return 1;
+  const double cosine = normal.dot(d) / length;
+  const double hidden = std::min(1.0, std::max(0.0, (-0.1 - cosine) / 0.2));
+  return 1 - confidence * hidden;
+}
+
 /// A mixture component as the projection uses it.
 struct Oriented_attractor
 {
@@ -67,18 +80,10 @@ struct Oriented_attractor
   Vector3 normal;
   double confidence;
 
-  /// Whether a sample at `q` sees the component from inside, in [0, 1]: the orientation gate. It
-  /// closes between 6 and 17 degrees behind the component's tangent plane - the plane of a curved
-  /// patch is only so exact -, and only as far as the normal can be trusted.
+  /// Whether a sample at `q` sees the component from inside, in [0, 1].
   double seen_from(const Vector3& q) const
   {
-    const Vector3 d = attractor.mean() - q;
-    const double length = d.norm();
-    if(!(length > 0))
-      return 1;
-    const double cosine = normal.dot(d) / length;
-    const double hidden = std::min(1.0, std::max(0.0, (-0.1 - cosine) / 0.2));
-    return 1 - confidence * hidden;
+    return visibility(attractor.mean() - q, normal, confidence);
   }
 };
 
@@ -92,34 +97,13 @@ public:
     template <typename ConcurrencyTag>
     Level(const std::vector<Oriented_gaussian>& components, double size, ConcurrencyTag tag)
       : attractors(components.begin(), components.end()), cell_size(size),
-        tree(
+        search(
           components.size(), [&](std::size_t i) { return components[i].gaussian.mean; }, tag)
     {}
 
-    /// Writes the indices of all components closer than `radius` to `center` to `result`, ascending.
-    void within(const Vector3& center, double radius, std::vector<std::size_t>& result) const
-    {
-      result.clear();
-      tree.visit_within(center, radius,
-                        [&](std::size_t k, double) { result.push_back(tree.order()[k]); });
-      std::sort(result.begin(), result.end());
-    }
-
-    /// Distance from `q` to the nearest component.
-    double distance(const Vector3& q) const
-    {
-      double squared = std::numeric_limits<double>::infinity();
-      tree.visit_below(
-        squared, [&](std::size_t node) { return tree.boxes()[node].squared_distance(q); },
-        [&](std::size_t k) {
-          squared = std::min(squared, (tree.positions()[k] - q).squaredNorm());
-        });
-      return std::sqrt(squared);
-    }
-
     std::vector<Oriented_attractor> attractors;
     double cell_size;
-    Box_tree tree;
+    Neighbor_search search;
   };
 
   /// `finest` with components `spacing` apart. Every level is twice as coarse as the one before,

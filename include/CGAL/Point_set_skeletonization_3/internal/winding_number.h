@@ -9,7 +9,6 @@
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 
 #include <CGAL/number_utils.h>
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
@@ -38,10 +37,8 @@ constexpr double least_inside = 0.25;
 class Winding_number
 {
 public:
-  template <typename ConcurrencyTag = Sequential_tag>
-  explicit Winding_number(const std::vector<Patch>& patches, ConcurrencyTag tag = ConcurrencyTag())
-    : tree_(
-        patches.size(), [&](std::size_t i) { return patches[i].mean; }, tag)
+  /// `tree` over the patches; it has to stay.
+  Winding_number(const std::vector<Patch>& patches, const Box_tree& tree) : tree_(tree)
   {
     if(patches.empty())
       return;
@@ -211,7 +208,7 @@ private:
     return sum;
   }
 
-  Box_tree tree_;
+  const Box_tree& tree_;
   Vector3 origin_ = Vector3::Zero(); ///< In the middle of the patches,
   double unit_ = 1;                  ///< and how large they all are.
   std::vector<Near_dipole> dipoles_; ///< In the order of the tree.
@@ -224,12 +221,13 @@ private:
 /// out, then patches that have more inside in front of them than behind. Returns the winding number of
 /// what comes out.
 template <typename ConcurrencyTag>
-std::unique_ptr<Winding_number> settle_orientation(std::vector<Patch>& patches)
+std::unique_ptr<Winding_number> settle_orientation(std::vector<Patch>& patches,
+                                                   const Box_tree& tree)
 {
   std::unique_ptr<Winding_number> winding_number;
   std::vector<std::array<double, 2>> sides; // in front of a patch and behind it
   const auto look = [&] {
-    winding_number = std::make_unique<Winding_number>(patches, ConcurrencyTag());
+    winding_number = std::make_unique<Winding_number>(patches, tree);
     sides = winding_number->template beside_patches<ConcurrencyTag>([&](std::size_t i) {
       const Vector3 step = patches[i].spacing * patches[i].normal;
       return std::array<Vector3, 2>{{patches[i].mean + step, patches[i].mean - step}};
@@ -251,7 +249,7 @@ std::unique_ptr<Winding_number> settle_orientation(std::vector<Patch>& patches)
   if(turn_where([](double in_front, double behind) { return in_front + behind < inside_out; }))
     look();
   if(turn_where([](double in_front, double behind) { return in_front > behind; }))
-    winding_number = std::make_unique<Winding_number>(patches, ConcurrencyTag());
+    winding_number = std::make_unique<Winding_number>(patches, tree);
   return winding_number;
 }
 
