@@ -5,11 +5,15 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_WAY_AROUND_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/Growing_region.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Per_thread.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Rubber_band.h>
 #include <CGAL/Point_set_skeletonization_3/internal/limb_joints.h>
+#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 #include <CGAL/Point_set_skeletonization_3/internal/samples.h>
 #include <CGAL/Point_set_skeletonization_3/internal/winding_number.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
@@ -26,107 +30,53 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Tells separators that cut a limb from those that cut nothing: from the one side to the other
-/// there is no way on the surface, or only one around a hole of the shape. An arc that ends in holes
-/// of the data, or a ring around a dent, has a way around through the solid.
-class Way_around
+/// Looks for ways on the surface from one side of a separator to the other. One object visits one
+/// separator after the other.
+class Way_search
 {
 public:
-  Way_around(const std::vector<Patch>& patches, const std::vector<Sample>& samples,
-             const Limb_joints& joints, const Winding_number& winding_number)
+  using Way = std::vector<std::size_t>; ///< Neighbouring patches; as a loop, the last next to the first.
+
+  Way_search(const std::vector<Patch>& patches, const Patch_edges& edges)
       : patches_(patches)
-      , samples_(samples)
-      , winding_number_(winding_number)
-      , edges_(patches, [&](std::size_t i, std::size_t j) { return joints.are_joined(i, j); })
+      , edges_(edges)
       , place_(patches.size(), elsewhere)
       , reached_from_(patches.size(), elsewhere)
       , visits_(patches.size())
   {}
 
-  /// Whether the separator cuts a limb.
-  bool cuts(const Local_separator& separator)
+  /// The patches along the shortest way from the second side to the first; none if there is no way.
+  Way shortest(const Local_separator& separator)
   {
     mark(separator);
-    // A loop that shrinks to a point inside the shape crosses no cross-section once.
-    const bool result = std::none_of(shrinking_.begin(), shrinking_.end(),
-                                     [&](const Loop& loop) { return crossings(loop) != 0; }) &&
-                        !has_way_around(separator);
+    const Way result = are_connected(separator) ? shortest_way(separator) : Way();
     unmark(separator);
     return result;
+  }
+
+  /// How often a loop crosses the separator from the first side to the second, less how often it
+  /// comes back; 0 if that is not known.
+  int crossings(const Way& loop, const Local_separator& separator)
+  {
+    mark(separator);
+    const int result = crossings(loop);
+    unmark(separator);
+    return result;
+  }
+
+  /// A way from one side to the other, closed across the separator; none if that is in pieces.
+  Way closed(Way way, const Local_separator& separator)
+  {
+    mark(separator);
+    const bool closes = close(way);
+    unmark(separator);
+    return closes ? way : Way();
   }
 
 private:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   enum Place : char { elsewhere, on_separator, on_first_side, on_second_side };
-  using Loop = std::vector<std::size_t>; // neighbouring patches, the last next to the first
-
-  bool has_way_around(const Local_separator& separator)
-  {
-    // What the points show as a hole is surrounded by more patches than that.
-    constexpr std::size_t around_an_end = 4;
-    if(!are_connected(separator))
-      return false;
-    const std::vector<std::size_t> way = shortest(separator);
-    if(way.size() <= around_an_end)
-      return !way.empty();
-    const double resolution = patches_[separator.patches.front()].spacing;
-    const Rubber_band band(positions(way), resolution, winding_number_);
-    if(std::any_of(held_.begin(), held_.end(),
-                   [&](const Rubber_band& held) { return band.can_become(held); }))
-      return false;
-    if(!Rubber_band(band).shrinks()) {
-      held_.push_back(band);
-      return false;
-    }
-    shrinking_.push_back(closed(way));
-    return true;
-  }
-
-  /// How often a loop crosses the separator from the first side to the second, less how often it
-  /// comes back; 0 if that is not known.
-  int crossings(const Loop& loop) const
-  {
-    const auto last = std::find_if(loop.rbegin(), loop.rend(),
-                                   [&](std::size_t i) { return place_[i] != on_separator; });
-    if(last == loop.rend())
-      return 0;
-    Place before = place_[*last];
-    bool crossing = last != loop.rbegin();
-    int result = 0;
-    for(std::size_t i : loop) {
-      const Place place = place_[i];
-      if(place == on_separator) {
-        crossing = true;
-        continue;
-      }
-      if(before != elsewhere && place != elsewhere)
-        result += place - before;
-      else if(crossing)
-        return 0;
-      before = place;
-      crossing = false;
-    }
-    return result;
-  }
-
-  /// A way from one side to the other, closed across the separator; none if that is in pieces.
-  Loop closed(Loop way) const
-  {
-    std::map<std::size_t, std::size_t> before;
-    std::queue<std::size_t> queue({way.front()});
-    for(; !queue.empty(); queue.pop()) {
-      std::size_t i = queue.front();
-      for(std::size_t j : patches_[i].neighbors)
-        if(j == way.back()) {
-          for(; i != way.front(); i = before[i])
-            way.push_back(i);
-          return way;
-        } else if(place_[j] == on_separator && before.emplace(j, i).second)
-          queue.push(j);
-    }
-    return {};
-  }
 
   /// The shortest way to a patch that is known so far.
   struct Visit
@@ -154,6 +104,49 @@ private:
   {
     for(std::size_t i : patches)
       place_[i] = where;
+  }
+
+  int crossings(const Way& loop) const
+  {
+    const auto last = std::find_if(loop.rbegin(), loop.rend(),
+                                   [&](std::size_t i) { return place_[i] != on_separator; });
+    if(last == loop.rend())
+      return 0;
+    Place before = place_[*last];
+    bool crossing = last != loop.rbegin();
+    int result = 0;
+    for(std::size_t i : loop) {
+      const Place place = place_[i];
+      if(place == on_separator) {
+        crossing = true;
+        continue;
+      }
+      if(before != elsewhere && place != elsewhere)
+        result += place - before;
+      else if(crossing)
+        return 0;
+      before = place;
+      crossing = false;
+    }
+    return result;
+  }
+
+  /// Closes a way across the separator; false if that is in pieces.
+  bool close(Way& way) const
+  {
+    std::map<std::size_t, std::size_t> before;
+    std::queue<std::size_t> queue({way.front()});
+    for(; !queue.empty(); queue.pop()) {
+      std::size_t i = queue.front();
+      for(std::size_t j : patches_[i].neighbors)
+        if(j == way.back()) {
+          for(; i != way.front(); i = before[i])
+            way.push_back(i);
+          return true;
+        } else if(place_[j] == on_separator && before.emplace(j, i).second)
+          queue.push(j);
+    }
+    return false;
   }
 
   /// Whether there is any way from one side to the other. It is looked for from both in turn: where
@@ -185,8 +178,7 @@ private:
     return result;
   }
 
-  /// The patches along the shortest way from the second side to the first; none if there is no way.
-  std::vector<std::size_t> shortest(const Local_separator& separator)
+  Way shortest_way(const Local_separator& separator)
   {
     using Step = std::pair<double, std::size_t>; // way, patch
     std::priority_queue<Step, std::vector<Step>, std::greater<Step>> queue;
@@ -217,12 +209,107 @@ private:
         if(place_[edge.patch] != on_separator)
           visit(edge.patch, step.first + static_cast<double>(edge.length), i);
     }
-    std::vector<std::size_t> way;
+    Way way;
     for(; last != none; last = visits_[last].before)
       way.push_back(last);
     for(std::size_t i : visited)
       visits_[i] = Visit();
     return way;
+  }
+
+  const std::vector<Patch>& patches_;
+  const Patch_edges& edges_;
+
+  // Of every patch; as at the beginning between calls.
+  std::vector<Place> place_;
+  std::vector<Place> reached_from_; ///< A side.
+  std::vector<Visit> visits_;
+};
+
+/// Tells separators that cut a limb from those that cut nothing: from the one side to the other
+/// there is no way on the surface, or only one around a hole of the shape. An arc that ends in holes
+/// of the data, or a ring around a dent, has a way around through the solid.
+template <typename ConcurrencyTag = Sequential_tag>
+class Way_around
+{
+public:
+  Way_around(const std::vector<Patch>& patches, const std::vector<Sample>& samples,
+             const Limb_joints& joints, const Winding_number& winding_number)
+      : patches_(patches)
+      , samples_(samples)
+      , winding_number_(winding_number)
+      , edges_(patches, [&](std::size_t i, std::size_t j) { return joints.are_joined(i, j); })
+      , search_([&] { return Way_search(patches_, edges_); })
+  {}
+
+  /// What is to be known of a separator; to be made for many at once.
+  struct Evidence
+  {
+    Way_search::Way way;                     ///< From one side to the other.
+    std::size_t band = Way_around::unknown; ///< Like that way, if it is long.
+  };
+
+  std::vector<Evidence> evidence(const std::vector<const Local_separator*>& separators)
+  {
+    std::vector<Evidence> result(separators.size());
+    parallel_for<ConcurrencyTag>(result.size(), [&](std::size_t k) {
+      result[k].way = search_.local().shortest(*separators[k]);
+    });
+    const std::size_t known = bands_.size();
+    for(std::size_t k = 0; k < result.size(); ++k)
+      if(result[k].way.size() > around_an_end)
+        result[k].band = band_like(Rubber_band(positions(result[k].way), resolution(*separators[k]),
+                                               winding_number_));
+    parallel_for<ConcurrencyTag>(bands_.size() - known, [&](std::size_t k) {
+      Band& band = bands_[known + k];
+      band.shrinks = Rubber_band(band.start).shrinks();
+    });
+    return result;
+  }
+
+  /// Whether the separator cuts a limb.
+  bool cuts(const Local_separator& separator, const Evidence& evidence)
+  {
+    // A loop that shrinks to a point inside the shape crosses no cross-section once.
+    if(std::any_of(shrinking_.begin(), shrinking_.end(), [&](const Way_search::Way& loop) {
+         return search_.local().crossings(loop, separator) != 0;
+       }))
+      return false;
+    if(evidence.band == unknown)
+      return evidence.way.empty();
+    const bool shrinks = bands_[evidence.band].shrinks;
+    if(shrinks)
+      shrinking_.push_back(search_.local().closed(evidence.way, separator));
+    return !shrinks;
+  }
+
+private:
+  static constexpr std::size_t unknown = std::numeric_limits<std::size_t>::max();
+  /// What the points show as a hole is surrounded by more patches than that.
+  static constexpr std::size_t around_an_end = 4;
+
+  /// A closed way that is in the solid.
+  struct Band
+  {
+    Rubber_band start;
+    bool shrinks; ///< To a point.
+  };
+
+  /// The index of a band that shrinks if this one does: a known one, or a new one.
+  std::size_t band_like(const Rubber_band& start)
+  {
+    const auto found = std::find_if(bands_.begin(), bands_.end(), [&](const Band& band) {
+      return start.can_become(band.start);
+    });
+    const auto result = static_cast<std::size_t>(found - bands_.begin());
+    if(found == bands_.end())
+      bands_.push_back({start, false});
+    return result;
+  }
+
+  double resolution(const Local_separator& separator) const
+  {
+    return patches_[separator.patches.front()].spacing;
   }
 
   /// The samples of patches.
@@ -237,16 +324,12 @@ private:
   const std::vector<Patch>& patches_;
   const std::vector<Sample>& samples_;
   const Winding_number& winding_number_;
-  const Patch_edges edges_;     ///< Along limbs.
+  const Patch_edges edges_; ///< Along limbs.
+  Per_thread<ConcurrencyTag, Way_search> search_;
 
   // Found so far.
-  std::vector<Loop> shrinking_;
-  std::vector<Rubber_band> held_; ///< By holes of the shape.
-
-  // Of every patch; as at the beginning between calls.
-  std::vector<Place> place_;
-  std::vector<Place> reached_from_; ///< A side.
-  std::vector<Visit> visits_;
+  std::vector<Band> bands_;
+  std::vector<Way_search::Way> shrinking_; ///< Closed.
 };
 
 } // namespace internal

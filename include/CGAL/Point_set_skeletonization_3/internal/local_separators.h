@@ -100,17 +100,48 @@ std::vector<Local_separator> disjoint_separators(const std::vector<Patch>& patch
     return a.length != b.length ? a.length < b.length : a.patches < b.patches;
   });
 
-  Way_around way_around(patches, samples, joints, winding_number);
+  Way_around<ConcurrencyTag> way_around(patches, samples, joints, winding_number);
+  std::vector<typename Way_around<ConcurrencyTag>::Evidence> evidence(found.size());
+  std::vector<bool> known(found.size(), false); // whether there is evidence
   std::vector<bool> taken(patches.size(), false);
-  std::vector<Local_separator> result;
-  for(Local_separator& separator : found) {
-    if(std::any_of(separator.patches.begin(), separator.patches.end(),
-                   [&](std::size_t i) { return taken[i]; }) ||
-       !way_around.cuts(separator))
-      continue;
+  const auto touches = [](const Local_separator& separator, const std::vector<bool>& marked) {
+    return std::any_of(separator.patches.begin(), separator.patches.end(),
+                       [&](std::size_t i) { return marked[i]; });
+  };
+  const auto mark = [](const Local_separator& separator, std::vector<bool>& marked) {
     for(std::size_t i : separator.patches)
-      taken[i] = true;
-    result.push_back(std::move(separator));
+      marked[i] = true;
+  };
+  // For one, and for all after it for which it is likely to be needed: they touch nothing that is
+  // taken, nor a separator before them that is still to be decided on.
+  const auto find_evidence = [&](std::size_t first) {
+    std::vector<bool> open = taken;
+    std::vector<std::size_t> wanted;
+    std::vector<const Local_separator*> separators;
+    for(std::size_t s = first; s < found.size(); ++s)
+      if(!touches(found[s], taken)) {
+        if(!known[s] && !touches(found[s], open)) {
+          wanted.push_back(s);
+          separators.push_back(&found[s]);
+        }
+        mark(found[s], open);
+      }
+    auto all = way_around.evidence(separators);
+    for(std::size_t k = 0; k < wanted.size(); ++k) {
+      evidence[wanted[k]] = std::move(all[k]);
+      known[wanted[k]] = true;
+    }
+  };
+  std::vector<Local_separator> result;
+  for(std::size_t s = 0; s < found.size(); ++s) {
+    if(touches(found[s], taken))
+      continue;
+    if(!known[s])
+      find_evidence(s);
+    if(!way_around.cuts(found[s], evidence[s]))
+      continue;
+    mark(found[s], taken);
+    result.push_back(std::move(found[s]));
   }
   return result;
 }
