@@ -6,6 +6,7 @@
 #include "catch2.h"
 #include "generator/Random.h"
 
+#include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface_consolidation.h>
 #include <CGAL/tags.h>
 
@@ -32,7 +33,8 @@ Gaussians components(std::size_t size, const std::function<Vector3()>& draw)
 
 Consolidated_surface consolidated(const Gaussians& mixture)
 {
-  return Surface_consolidation<CGAL::Sequential_tag>(mixture)();
+  return Surface_consolidation<CGAL::Sequential_tag>(
+    mixture, patch_neighborhoods<CGAL::Sequential_tag>(mixture))();
 }
 
 /// Values of what is no outlier.

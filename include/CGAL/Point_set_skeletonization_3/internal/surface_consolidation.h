@@ -149,18 +149,6 @@ private:
   std::shared_ptr<const Mixture_tree> components_;
 };
 
-/// Every component and its eight nearest neighbours, nearest first.
-template <typename ConcurrencyTag>
-std::vector<std::vector<Neighbor_search::Neighbor>> component_neighbors(const Gaussians& mixture)
-{
-  const Neighbor_search search(mixture.size(), [&](std::size_t i) { return mixture[i].mean; });
-  std::vector<std::vector<Neighbor_search::Neighbor>> result(mixture.size());
-  parallel_for<ConcurrencyTag>(mixture.size(), [&](std::size_t i) {
-    search.nearest(mixture[i].mean, 9, result[i]);
-  });
-  return result;
-}
-
 /// Where the components of a mixture lie once the noise is taken off.
 struct Consolidated_surface
 {
@@ -182,9 +170,9 @@ template <typename ConcurrencyTag>
 class Surface_consolidation
 {
 public:
-  explicit Surface_consolidation(const Gaussians& mixture)
-    : mixture_(mixture), nearest_(component_neighbors<ConcurrencyTag>(mixture)),
-      spacings_(spacings()),
+  /// Refers to the mixture and to the `neighborhoods()` of its components, of nine or more.
+  Surface_consolidation(const Gaussians& mixture, const Neighborhoods& nearest)
+    : mixture_(mixture), nearest_(nearest), spacings_(spacings()),
       spacing_(std::max(quantile(spacings_, 0.5), std::numeric_limits<double>::min()))
   {
     for(const Gaussian& g : mixture)
@@ -317,9 +305,10 @@ private:
     std::vector<double> off(n);
     parallel_for<ConcurrencyTag>(n, [&](std::size_t i) {
       const auto& nearest = nearest_[i]; // nothing has moved yet
+      const std::size_t size = std::min<std::size_t>(9, nearest.size());
       Vector3 mean = Vector3::Zero();
-      for(const auto& neighbor : nearest)
-        mean += offset[neighbor.index] / static_cast<double>(nearest.size());
+      for(std::size_t k = 0; k < size; ++k)
+        mean += offset[nearest[k].index] / static_cast<double>(size);
       off[i] = std::abs(normal[i].dot(offset[i] - mean)) / view.radius();
     });
     return quantile(off, 0.5);
@@ -433,7 +422,7 @@ private:
   }
 
   const Gaussians& mixture_;
-  std::vector<std::vector<Neighbor_search::Neighbor>> nearest_;
+  const Neighborhoods& nearest_;
   std::vector<double> spacings_;
   double spacing_;
   std::vector<double> density_;
