@@ -515,7 +515,7 @@ private:
   std::vector<double> density_;
   std::size_t size_ = 0;
   double strength_ = 0;
-  std::vector<std::size_t> kept_; ///< The components of `finest_`.
+  std::vector<std::size_t> kept_; ///< The components of `finest_`, in its order.
   std::shared_ptr<const Mixture_tree> finest_;
   std::array<std::unique_ptr<Mixture_window>, sizes> windows_;
   double noise_ = 0; ///< Thickness of the noisy surface: one standard deviation.
