@@ -6,6 +6,7 @@
 #include "catch2.h"
 #include "generator/Random.h"
 
+#include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface_consolidation.h>
 #include <CGAL/tags.h>
 
@@ -32,7 +33,8 @@ Gaussians components(std::size_t size, const std::function<Vector3()>& draw)
 
 Consolidated_surface consolidated(const Gaussians& mixture)
 {
-  return Surface_consolidation<CGAL::Sequential_tag>(mixture)();
+  return Surface_consolidation<CGAL::Sequential_tag>(
+    mixture, patch_neighborhoods<CGAL::Sequential_tag>(mixture))();
 }
 
 /// Values of what is no outlier.
@@ -64,6 +66,35 @@ double widest_gap(std::vector<double> values)
 }
 
 } // namespace
+
+// Points that are dropped take their places in the neighbourhoods of the others with them.
+TEST_CASE("neighbourhoods of the points that are left are those asked anew")
+{
+  for(unsigned seed = 0; seed < seeds; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    std::vector<Vector3> all(500), left;
+    for(Vector3& p : all)
+      p = random.direction();
+    std::vector<std::size_t> index_of(all.size(), all.size());
+    for(std::size_t i = all.size(); i-- > 0;) // backwards: another order
+      if(i % 100 != seed) {
+        index_of[i] = left.size();
+        left.push_back(all[i]);
+      }
+    using Tag = CGAL::Sequential_tag;
+    const auto position = [&](std::size_t i) { return left[i]; };
+    const Neighborhoods known = renumbered<Tag>(
+      neighborhoods<Tag>(all.size(), [&](std::size_t i) { return all[i]; }, 7), index_of,
+      left.size(), position, 7);
+    const Neighborhoods asked = neighborhoods<Tag>(left.size(), position, 7);
+    for(std::size_t i = 0; i < left.size(); ++i) {
+      REQUIRE(known[i].size() == asked[i].size());
+      for(std::size_t k = 0; k < asked[i].size(); ++k)
+        CHECK(known[i][k].index == asked[i][k].index);
+    }
+  }
+}
 
 TEST_CASE("Where there is no noise nothing moves")
 {

@@ -25,7 +25,12 @@ class Oriented_surface
 {
 public:
   explicit Oriented_surface(const Gaussians& gaussians)
-    : patches(surface_patches<ConcurrencyTag>(gaussians)), spacing(median_spacing(patches)),
+    : Oriented_surface(gaussians, patch_neighborhoods<ConcurrencyTag>(gaussians))
+  {}
+
+  /// Where the neighbourhoods are known.
+  Oriented_surface(const Gaussians& gaussians, const Neighborhoods& nearest)
+    : patches(surface_patches<ConcurrencyTag>(gaussians, nearest)), spacing(median_spacing(patches)),
       tree(
         patches.size(), [&](std::size_t i) { return patches[i].mean; }, ConcurrencyTag())
   {

@@ -83,10 +83,11 @@ public:
   {
     if(mixture.empty())
       return progress(1);
-    const Gaussians clean = consolidated();
+    Neighborhoods nearest = patch_neighborhoods<ConcurrencyTag>(mixture.front());
+    const Gaussians clean = consolidated(nearest);
     if(!progress(0.3))
       return false;
-    surface_ = std::make_unique<Oriented_surface<ConcurrencyTag>>(clean);
+    surface_ = std::make_unique<Oriented_surface<ConcurrencyTag>>(clean, nearest);
     if(!progress(0.6))
       return false;
     outcome = project_patches<ConcurrencyTag>(*surface_, options_.projection,
@@ -129,10 +130,12 @@ private:
   static constexpr std::size_t number_of_levels = 3; // for who reads the mixture; we read the first
 
   /// Patches from the mixture without its noise: components that come to lie in one cell are one.
-  Gaussians consolidated()
+  /// The neighbourhoods are those of the components, and become those of the patches.
+  Gaussians consolidated(Neighborhoods& nearest)
   {
     const Gaussians& components = mixture.front();
-    const Consolidated_surface clean = Surface_consolidation<ConcurrencyTag>(components)();
+    const Consolidated_surface clean =
+      Surface_consolidation<ConcurrencyTag>(components, nearest)();
     std::vector<std::size_t> kept;
     for(std::size_t i = 0; i < components.size(); ++i)
       if(!clean.outlier[i])
@@ -154,6 +157,12 @@ private:
         moments.add(components[i].weight, clean.positions[i]);
       patches.push_back(moments.gaussian());
     }
+    if(noise_ > 0 || patches.size() < kept.size())
+      nearest = patch_neighborhoods<ConcurrencyTag>(patches);
+    else // nothing has moved
+      nearest = renumbered<ConcurrencyTag>(
+        std::move(nearest), patch_of_component_, patches.size(),
+        [&](std::size_t i) { return patches[i].mean; }, patch_neighbors + 1);
     return patches;
   }
 

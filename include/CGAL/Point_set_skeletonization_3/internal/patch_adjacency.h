@@ -90,20 +90,24 @@ inline bool face_each_other(const Patch& a, const Patch& b)
          std::abs(b.normal.dot(d)) * b.planarity > facing_cosine;
 }
 
-/// Turns a mixture level into patches that know their neighbours on the surface.
+/// The places around every component that a patch needs to know: itself and its neighbours.
 template <typename ConcurrencyTag>
-std::vector<Patch> surface_patches(const Gaussians& gaussians)
+Neighborhoods patch_neighborhoods(const Gaussians& gaussians)
+{
+  return neighborhoods<ConcurrencyTag>(
+    gaussians.size(), [&](std::size_t i) { return gaussians[i].mean; }, patch_neighbors + 1);
+}
+
+/// Turns a mixture level into patches that know their neighbours on the surface, from its
+/// `patch_neighborhoods()`.
+template <typename ConcurrencyTag>
+std::vector<Patch> surface_patches(const Gaussians& gaussians, const Neighborhoods& nearest)
 {
   std::vector<Patch> patches(gaussians.size());
-  std::vector<std::vector<Neighbor_search::Neighbor>> nearest(gaussians.size());
-  const Neighbor_search search(
-    gaussians.size(), [&](std::size_t i) { return gaussians[i].mean; }, ConcurrencyTag());
-
   parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
     Patch& patch = patches[i];
     patch.mean = gaussians[i].mean;
     patch.weight = gaussians[i].weight;
-    search.nearest(patch.mean, patch_neighbors + 1, nearest[i]);
     const std::size_t middle = nearest[i].size() / 2;
     // A patch without another is as large as the whole.
     patch.spacing = nearest[i].size() > 1 ? std::sqrt(nearest[i][middle].squared_distance) : 1;

@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -64,7 +65,115 @@ struct Mixture_tree
   Gaussians mixture;
 };
 
-/// The mixture seen through windows of one size, at a resolution that fits.
+/// The mixture seen through windows of one size around the points of a small box: what they may see
+/// is looked for once.
+class Window_view
+{
+public:
+  Window_view(const Mixture_tree& components, double radius, const Box& box)
+    : radius_(radius), origin_((box.lower + box.upper) / 2)
+  {
+    const Box_tree& tree = components.tree;
+    const Box wide{box.lower.array() - reach * radius, box.upper.array() + reach * radius};
+    const auto enter = [&](std::size_t node) {
+      return (tree.boxes()[node].lower.array() < wide.upper.array()).all() &&
+             (tree.boxes()[node].upper.array() > wide.lower.array()).all();
+    };
+    std::vector<std::size_t> seen;
+    tree.visit_leaves(enter, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t k = begin; k < end; ++k)
+        if(box.squared_distance(tree.positions()[k]) < reach * reach * radius * radius)
+          seen.push_back(k);
+    });
+    const auto size = static_cast<Eigen::Index>(seen.size());
+    offsets_.resize(size, 3);
+    moments_.resize(10, size);
+    for(Eigen::Index i = 0; i < size; ++i) {
+      const Gaussian& g = components.mixture[seen[static_cast<std::size_t>(i)]];
+      const Vector3 d = g.mean - origin_;
+      Symmetric_sum second;
+      second.add_product(d, d);
+      second.add(1, g.covariance);
+      const std::array<double, 10> moments = {1,         d[0],      d[1],      d[2],      second.xx,
+                                              second.xy, second.xz, second.yy, second.yz, second.zz};
+      offsets_.row(i) = d.transpose();
+      moments_.col(i) = g.weight * Eigen::Map<const Moment_vector>(moments.data());
+    }
+    squared_distances_.resize(size);
+    weights_.resize(size);
+    near_.resize(size);
+  }
+
+  /// Weight in the window around a place over its area.
+  double density(const Vector3& q) { return moments(q)[0] / (radius_ * radius_); }
+
+  Local_fit operator()(const Vector3& q)
+  {
+    const Moment_vector sum = moments(q);
+    Local_fit fit;
+    fit.mean = q;
+    if(!(sum[0] > 0))
+      return fit;
+    const Moment_vector mean = sum / sum[0];
+    const Vector3 d = mean.segment<3>(1);
+    Matrix3 covariance;
+    covariance << mean[4], mean[5], mean[6], mean[5], mean[7], mean[8], mean[6], mean[8], mean[9];
+    covariance -= d * d.transpose();
+    Eigen::SelfAdjointEigenSolver<Matrix3> solver;
+    solver.computeDirect(covariance);
+    const Vector3 variance = solver.eigenvalues().cwiseMax(0);
+    fit.mean = origin_ + d;
+    fit.normal = solver.eigenvectors().col(0);
+    fit.axis = solver.eigenvectors().col(2);
+    if(variance[2] > 0)
+      fit.elongation = std::max(0.0, 1 - 4 * variance[1] / variance[2]);
+    fit.thickness = std::sqrt(variance[0]);
+    fit.density = sum[0] / (radius_ * radius_);
+    // A line, to rounding, is as rough as a blob: it has no normal.
+    if(variance[1] > 1e-10 * variance[2])
+      fit.roughness = variance[0] / variance[1];
+    return fit;
+  }
+
+private:
+  static constexpr double reach = 1.5; // where the window has fallen to 1 %
+
+  /// Weight, first moments, and the upper triangle of the second ones, about the origin.
+  using Moment_vector = Eigen::Matrix<double, 10, 1>;
+
+  /// Those of what is in the window around a place.
+  Moment_vector moments(const Vector3& q)
+  {
+    const Vector3 d = q - origin_;
+    squared_distances_ = (offsets_.col(0) - d[0]).square() + (offsets_.col(1) - d[1]).square() +
+                         (offsets_.col(2) - d[2]).square();
+    const double squared_reach = reach * reach * radius_ * radius_;
+    const Eigen::Index all = near_.size();
+    Eigen::Index size = 0;
+    for(Eigen::Index i = 0; i < all; ++i) { // without a branch, which nobody could predict
+      const double squared_distance = squared_distances_[i];
+      weights_[size] = squared_distance;
+      near_[size] = i;
+      size += squared_distance < squared_reach;
+    }
+    auto weights = weights_.head(size);
+    weights *= -2 / (radius_ * radius_) / 32;
+    weights = exponential_of_32_times(weights);
+    Moment_vector sum = Moment_vector::Zero();
+    for(Eigen::Index i = 0; i < size; ++i)
+      sum += weights[i] * moments_.col(near_[i]);
+    return sum;
+  }
+
+  double radius_;
+  Vector3 origin_;
+  Eigen::ArrayX3d offsets_;                           ///< From the origin.
+  Eigen::Matrix<double, 10, Eigen::Dynamic> moments_; ///< Of every component.
+  Eigen::ArrayXd squared_distances_, weights_;
+  Eigen::Array<Eigen::Index, Eigen::Dynamic, 1> near_;
+};
+
+/// The mixture for windows of one size, at a resolution that fits.
 class Mixture_window
 {
 public:
@@ -77,89 +186,12 @@ public:
         coarsened(components_->mixture, resolution * radius));
   }
 
-  double radius() const { return radius_; }
-
-  /// Weight in the window around a place over its area.
-  double density(const Vector3& q) const
-  {
-    double sum = 0;
-    visit(q, [&](double weight, const Gaussian&) { sum += weight; });
-    return sum / (radius_ * radius_);
-  }
-
-  Local_fit operator()(const Vector3& q) const
-  {
-    Moments moments(q);
-    visit(q, [&](double weight, const Gaussian& g) { moments.add(weight, g); });
-    Local_fit fit;
-    fit.mean = q;
-    if(!(moments.weight() > 0))
-      return fit;
-    const Gaussian window = moments.gaussian();
-    Eigen::SelfAdjointEigenSolver<Matrix3> solver;
-    solver.computeDirect(window.covariance);
-    const Vector3 variance = solver.eigenvalues().cwiseMax(0);
-    fit.mean = window.mean;
-    fit.normal = solver.eigenvectors().col(0);
-    fit.axis = solver.eigenvectors().col(2);
-    if(variance[2] > 0)
-      fit.elongation = std::max(0.0, 1 - 4 * variance[1] / variance[2]);
-    fit.thickness = std::sqrt(variance[0]);
-    fit.density = moments.weight() / (radius_ * radius_);
-    // A line, to rounding, is as rough as a blob: it has no normal.
-    if(variance[1] > 1e-10 * variance[2])
-      fit.roughness = variance[0] / variance[1];
-    return fit;
-  }
+  Window_view around(const Box& box) const { return {*components_, radius_, box}; }
 
 private:
-  /// Calls `visit(weight, component)` for those in the window, with their weight in it.
-  template <typename Visit>
-  void visit(const Vector3& q, const Visit& visit) const
-  {
-    constexpr double reach = 1.5; // where the window has fallen to 1 %
-    constexpr std::size_t most = 64; // at a time: the exponentials of many are cheaper
-    Eigen::Array<double, most, 1> weights; // squared distances at first
-    std::array<const Gaussian*, most> seen;
-    std::size_t size = 0;
-    const auto visit_seen = [&] {
-      auto known = weights.head(static_cast<Eigen::Index>(size));
-      known *= -2 / (radius_ * radius_) / 32;
-      known = exponential_of_32_times(known);
-      for(std::size_t i = 0; i < size; ++i)
-        visit(known[static_cast<Eigen::Index>(i)] * seen[i]->weight, *seen[i]);
-      size = 0;
-    };
-    const double squared_reach = reach * reach * radius_ * radius_;
-    const Box_tree& tree = components_->tree;
-    tree.visit_leaves_within(q, reach * radius_, [&](std::size_t begin, std::size_t end) {
-      if(size + Box_tree::leaf_size > most)
-        visit_seen();
-      for(std::size_t k = begin; k < end; ++k) { // without a branch, which nobody could predict
-        const double squared_distance = (tree.positions()[k] - q).squaredNorm();
-        weights[static_cast<Eigen::Index>(size)] = squared_distance;
-        seen[size] = &components_->mixture[k];
-        size += squared_distance < squared_reach;
-      }
-    });
-    visit_seen();
-  }
-
   double radius_;
   std::shared_ptr<const Mixture_tree> components_;
 };
-
-/// Every component and its eight nearest neighbours, nearest first.
-template <typename ConcurrencyTag>
-std::vector<std::vector<Neighbor_search::Neighbor>> component_neighbors(const Gaussians& mixture)
-{
-  const Neighbor_search search(mixture.size(), [&](std::size_t i) { return mixture[i].mean; });
-  std::vector<std::vector<Neighbor_search::Neighbor>> result(mixture.size());
-  parallel_for<ConcurrencyTag>(mixture.size(), [&](std::size_t i) {
-    search.nearest(mixture[i].mean, 9, result[i]);
-  });
-  return result;
-}
 
 /// Where the components of a mixture lie once the noise is taken off.
 struct Consolidated_surface
@@ -182,9 +214,9 @@ template <typename ConcurrencyTag>
 class Surface_consolidation
 {
 public:
-  explicit Surface_consolidation(const Gaussians& mixture)
-    : mixture_(mixture), nearest_(component_neighbors<ConcurrencyTag>(mixture)),
-      spacings_(spacings()),
+  /// Refers to the mixture and to the `neighborhoods()` of its components, of nine or more.
+  Surface_consolidation(const Gaussians& mixture, const Neighborhoods& nearest)
+    : mixture_(mixture), nearest_(nearest), spacings_(spacings()),
       spacing_(std::max(quantile(spacings_, 0.5), std::numeric_limits<double>::min()))
   {
     for(const Gaussian& g : mixture)
@@ -243,23 +275,65 @@ private:
   {
     if(finest_)
       return finest_;
-    Gaussians kept;
-    kept.reserve(mixture_.size());
-    kept_.clear();
+    Gaussians components;
+    std::vector<std::size_t> kept;
     for(std::size_t i = 0; i < mixture_.size(); ++i)
       if(!result_.outlier[i]) {
-        kept.push_back({mixture_[i].weight, result_.positions[i], mixture_[i].covariance});
-        kept_.push_back(i);
+        components.push_back({mixture_[i].weight, result_.positions[i], mixture_[i].covariance});
+        kept.push_back(i);
       }
-    finest_ = std::make_shared<Mixture_tree>(kept);
+    finest_ = std::make_shared<Mixture_tree>(components);
+    kept_.clear();
+    for(std::size_t k : finest_->tree.order())
+      kept_.push_back(kept[k]);
     return finest_;
   }
 
-  const Mixture_window& window(std::size_t size)
+  void make_window(std::size_t size)
   {
     if(!windows_[size])
       windows_[size] = std::make_unique<Mixture_window>(finest(), spacing_, radius(size));
-    return *windows_[size];
+  }
+
+  /// The windows around the points of a box.
+  class Views
+  {
+  public:
+    Views(const Surface_consolidation& surface, const Box& box) : surface_(surface), box_(box) {}
+
+    Window_view& operator[](std::size_t size)
+    {
+      if(!views_[size])
+        views_[size] = surface_.windows_[size]->around(box_);
+      return *views_[size];
+    }
+
+  private:
+    const Surface_consolidation& surface_;
+    Box box_;
+    std::array<std::optional<Window_view>, sizes> views_;
+  };
+
+  /// Calls `visit(i, views)` for every component that is left. The windows must be there.
+  template <typename Visit>
+  void for_each_kept(const Visit& visit)
+  {
+    constexpr std::size_t most = 64; // components: about as many as one of them sees
+    const Box_tree& tree = finest()->tree;
+    std::vector<std::size_t> groups;
+    for(std::size_t n = 0; n < tree.nodes().size();) {
+      const Box_tree::Node& node = tree.nodes()[n];
+      const bool small = node.end - node.begin <= most;
+      if(small)
+        groups.push_back(n);
+      n = small ? node.after : n + 1;
+    }
+    parallel_for<ConcurrencyTag>(groups.size(), [&](std::size_t g) {
+      const Box_tree::Node& node = tree.nodes()[groups[g]];
+      Views views(*this, tree.boxes()[groups[g]]);
+      for(std::size_t k = node.begin; k < node.end; ++k)
+        visit(kept_[k], views);
+    });
   }
 
   /// To be called when components have moved or been dropped.
@@ -276,19 +350,21 @@ private:
     constexpr std::size_t every = 7; // some hundreds are enough
     double least = std::numeric_limits<double>::infinity();
     for(std::size_t size = 0; size < sizes; ++size) {
-      const Mixture_window& view = window(size);
-      std::vector<double> roughness((mixture_.size() + every - 1) / every);
-      std::vector<double> thickness(roughness.size());
-      parallel_for<ConcurrencyTag>(roughness.size(), [&](std::size_t k) {
-        const Local_fit fit = view(result_.positions[k * every]);
-        roughness[k] = fit.roughness;
-        thickness[k] = fit.thickness;
+      make_window(size);
+      std::vector<double> roughness((mixture_.size() + every - 1) / every, 1); // of outliers
+      std::vector<double> thickness(roughness.size(), 0);
+      for_each_kept([&](std::size_t i, Views& views) {
+        if(i % every > 0)
+          return;
+        const Local_fit fit = views[size](result_.positions[i]);
+        roughness[i / every] = fit.roughness;
+        thickness[i / every] = fit.thickness;
       });
       const double quartile = quantile(roughness, 0.25);
       // Uneven sampling alone measures up to 0.03, noise of a quarter of the spacing 0.05 and more.
       // So much noise that it fills a volume evenly has no scatter, but nothing is smooth.
       if(size == 0)
-        strength_ = std::min(1.0, std::max({0.0, (scatter(view) - 0.03) / 0.03,
+        strength_ = std::min(1.0, std::max({0.0, (scatter() - 0.03) / 0.03,
                                             (quartile - 0.3) / 0.2}));
       if(quartile > least)
         return;
@@ -303,24 +379,25 @@ private:
   /// How far components lie off the surface through their neighbours, in the median over the shape,
   /// in radii of the window. On a curved surface all lie off their fitted plane, and by the same; only
   /// the difference from the neighbours is noise.
-  double scatter(const Mixture_window& view)
+  double scatter()
   {
-    const std::size_t n = mixture_.size();
-    std::vector<Vector3> offset(n), normal(n);
-    density_.resize(n);
-    parallel_for<ConcurrencyTag>(n, [&](std::size_t i) {
-      const Local_fit fit = view(result_.positions[i]);
+    std::vector<Vector3> offset(mixture_.size(), Vector3::Zero()), normal(mixture_.size());
+    density_.assign(mixture_.size(), 0);
+    for_each_kept([&](std::size_t i, Views& views) {
+      const Local_fit fit = views[0](result_.positions[i]);
       offset[i] = fit.mean - result_.positions[i];
       normal[i] = fit.normal;
       density_[i] = fit.density;
     });
-    std::vector<double> off(n);
-    parallel_for<ConcurrencyTag>(n, [&](std::size_t i) {
+    std::vector<double> off(kept_.size());
+    parallel_for<ConcurrencyTag>(kept_.size(), [&](std::size_t c) {
+      const std::size_t i = kept_[c];
       const auto& nearest = nearest_[i]; // nothing has moved yet
+      const std::size_t size = std::min<std::size_t>(9, nearest.size());
       Vector3 mean = Vector3::Zero();
-      for(const auto& neighbor : nearest)
-        mean += offset[neighbor.index] / static_cast<double>(nearest.size());
-      off[i] = std::abs(normal[i].dot(offset[i] - mean)) / view.radius();
+      for(std::size_t k = 0; k < size; ++k)
+        mean += offset[nearest[k].index] / static_cast<double>(size);
+      off[c] = std::abs(normal[i].dot(offset[i] - mean)) / radius(0);
     });
     return quantile(off, 0.5);
   }
@@ -343,12 +420,12 @@ private:
 
   /// What a component sees through its window. Where that shows a limb all around, narrower ones are
   /// tried, as long as they show something flatter.
-  Local_fit fit_through(std::size_t size, const Vector3& position) const
+  Local_fit fit_through(Views& views, std::size_t size, const Vector3& position) const
   {
     constexpr double round = 0.2; // roughness
-    Local_fit fit = (*windows_[size])(position);
+    Local_fit fit = views[size](position);
     while(size-- > 0 && fit.roughness > round && drowned(fit) < 0.5) {
-      const Local_fit narrower = (*windows_[size])(position);
+      const Local_fit narrower = views[size](position);
       if(narrower.roughness > fit.roughness)
         break;
       const double density = fit.density; // of windows of one size only, they are compared
@@ -366,7 +443,7 @@ private:
       if(!result_.outlier[i])
         result[i] = size_for(i);
     for(std::size_t size = 0; size <= *std::max_element(result.begin(), result.end()); ++size)
-      window(size);
+      make_window(size);
     return result;
   }
 
@@ -374,11 +451,12 @@ private:
   void measure_densities(bool narrowest_known)
   {
     const std::vector<std::size_t> size = window_sizes();
-    parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
+    for(std::size_t i = 0; i < mixture_.size(); ++i)
       if(result_.outlier[i])
         density_[i] = 0;
-      else if(!narrowest_known || size[i] > 0)
-        density_[i] = windows_[size[i]]->density(result_.positions[i]);
+    for_each_kept([&](std::size_t i, Views& views) {
+      if(!narrowest_known || size[i] > 0)
+        density_[i] = views[size[i]].density(result_.positions[i]);
     });
   }
 
@@ -386,11 +464,9 @@ private:
   {
     const std::vector<std::size_t> size = window_sizes();
     density_.assign(mixture_.size(), 0);
-    parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
-      if(result_.outlier[i])
-        return;
+    for_each_kept([&](std::size_t i, Views& views) {
       Vector3& position = result_.positions[i]; // the windows keep the ones before
-      const Local_fit fit = fit_through(size[i], position);
+      const Local_fit fit = fit_through(views, size[i], position);
       density_[i] = fit.density;
       const double blob = std::min(1.0, std::max(0.0, (fit.roughness - 0.1) / 0.2));
       const Vector3 step = fit.mean - position;
@@ -409,8 +485,8 @@ private:
     constexpr double thin = 0.3; // Gaussian noise at 1.6 standard deviations
     const Box_tree& tree = finest()->tree;
     std::vector<double> densities; // in the order of the tree
-    for(std::size_t k : tree.order())
-      densities.push_back(density_[kept_[k]]);
+    for(std::size_t i : kept_)
+      densities.push_back(density_[i]);
     const double least = thin * *std::max_element(density_.begin(), density_.end());
     std::vector<char> drop(mixture_.size(), 0);
     parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
@@ -433,13 +509,13 @@ private:
   }
 
   const Gaussians& mixture_;
-  std::vector<std::vector<Neighbor_search::Neighbor>> nearest_;
+  const Neighborhoods& nearest_;
   std::vector<double> spacings_;
   double spacing_;
   std::vector<double> density_;
   std::size_t size_ = 0;
   double strength_ = 0;
-  std::vector<std::size_t> kept_; ///< The components of `finest_`, before it was sorted.
+  std::vector<std::size_t> kept_; ///< The components of `finest_`, in its order.
   std::shared_ptr<const Mixture_tree> finest_;
   std::array<std::unique_ptr<Mixture_window>, sizes> windows_;
   double noise_ = 0; ///< Thickness of the noisy surface: one standard deviation.
