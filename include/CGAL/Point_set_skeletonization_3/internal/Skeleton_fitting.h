@@ -63,9 +63,10 @@ public:
     const Neighbor_search search(graph_.vertices.size(),
                                  [&](std::size_t v) { return graph_.vertices[v].position; });
     std::vector<std::size_t> result(samples_.size(), none);
-    for(std::size_t i = 0; i < samples_.size(); ++i)
+    parallel_for<ConcurrencyTag>(samples_.size(), [&](std::size_t i) {
       if(!points_of_sample_[i].empty())
         result[i] = search.nearest(samples_[i].position).index;
+    });
     return result;
   }
 

@@ -23,14 +23,24 @@ struct Cross_section
 {
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< Of its area.
   double area = 0;                                  ///< 0: it is not known.
-  double gap = 2 * CGAL_PI; ///< The widest angle in which there is no point, in (0, 2 pi].
+  double gap = 2 * CGAL_PI; ///< The widest angle without a point, in [pi / 8, 2 pi]: less is none.
 };
+
+/// Orders directions as their angle in [-pi, pi] does, between half as steeply and as steeply: the
+/// way along a square instead of a circle.
+inline double pseudo_angle(const Eigen::Vector2d& p)
+{
+  if(p.isZero(0))
+    return 0; // as std::atan2()
+  const double way = p.y() / p.lpNorm<1>();
+  return p.x() >= 0 ? way : std::copysign(2.0, p.y()) - way;
+}
 
 /// The region that is star-shaped around the origin and has the given points on its boundary. Only
 /// their places count, so it matters little how densely the boundary is sampled, and where: what
-/// points scatter to either side of it cancels out. Between two neighbours in angle the distance
-/// changes evenly with the angle. So an arc remains an arc, and a circle of which a part is missing
-/// has its centre where it should.
+/// points scatter to either side of it cancels out. Between two neighbours far apart in angle the
+/// distance changes evenly with the angle. So an arc remains an arc, and a circle of which a part is
+/// missing has its centre where it should.
 inline Cross_section cross_section(const std::vector<Eigen::Vector2d>& boundary)
 {
   constexpr std::size_t fewest = 3;
@@ -38,31 +48,40 @@ inline Cross_section cross_section(const std::vector<Eigen::Vector2d>& boundary)
   Cross_section result;
   if(boundary.size() < fewest)
     return result;
-  std::vector<std::pair<double, double>> polar; // angle and distance
+  std::vector<std::pair<double, const Eigen::Vector2d*>> around; // by pseudo-angle
+  around.reserve(boundary.size() + 1);
   for(const Eigen::Vector2d& p : boundary)
-    polar.emplace_back(std::atan2(p.y(), p.x()), p.norm());
-  std::sort(polar.begin(), polar.end());
-  polar.emplace_back(polar.front().first + 2 * CGAL_PI, polar.front().second);
+    around.emplace_back(pseudo_angle(p), &p);
+  std::sort(around.begin(), around.end());
+  around.emplace_back(around.front().first + 4, around.front().second);
 
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();
-  result.gap = 0;
-  for(std::size_t i = 0; i + 1 < polar.size(); ++i) {
-    const double gap = polar[i + 1].first - polar[i].first;
+  const auto add = [&](const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
+    const double triangle = (p.x() * q.y() - p.y() * q.x()) / 2; // with the origin
+    result.area += triangle;
+    moment += triangle * (p + q) / 3;
+  };
+  result.gap = step;
+  for(std::size_t i = 0; i + 1 < around.size(); ++i) {
+    const Eigen::Vector2d &p = *around[i].second, &q = *around[i + 1].second;
+    if(2 * (around[i + 1].first - around[i].first) < step) {
+      add(p, q);
+      continue;
+    }
+    const double angle = std::atan2(p.y(), p.x());
+    double gap = std::atan2(q.y(), q.x()) - angle;
+    if(gap <= 0) // from the last to the first
+      gap += 2 * CGAL_PI;
     result.gap = std::max(result.gap, gap);
     const int pieces = 1 + static_cast<int>(gap / step);
-    const auto point = [&](int k) {
+    Eigen::Vector2d from = p;
+    for(int k = 1; k <= pieces; ++k) {
       const double t = static_cast<double>(k) / pieces;
-      const double angle = polar[i].first + t * gap;
-      const double distance = polar[i].second + t * (polar[i + 1].second - polar[i].second);
-      return Eigen::Vector2d(distance * std::cos(angle), distance * std::sin(angle));
-    };
-    Eigen::Vector2d p = point(0);
-    for(int k = 0; k < pieces; ++k) {
-      const Eigen::Vector2d q = point(k + 1);
-      const double triangle = (p.x() * q.y() - p.y() * q.x()) / 2; // with the origin
-      result.area += triangle;
-      moment += triangle * (p + q) / 3;
-      p = q;
+      const double distance = p.norm() + t * (q.norm() - p.norm());
+      const Eigen::Vector2d to(distance * std::cos(angle + t * gap),
+                               distance * std::sin(angle + t * gap));
+      add(from, to);
+      from = to;
     }
   }
   if(result.area > 0)

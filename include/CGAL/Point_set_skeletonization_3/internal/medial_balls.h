@@ -5,6 +5,7 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_BALLS_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Per_thread.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_orientation.h>
 
@@ -124,12 +125,14 @@ private:
 };
 
 /// One pass of a median filter over the neighbours on the surface that have a value (> 0).
-inline std::vector<double> median_filtered(const std::vector<double>& values,
-                                           const std::vector<Patch>& patches)
+template <typename ConcurrencyTag>
+std::vector<double> median_filtered(const std::vector<double>& values,
+                                    const std::vector<Patch>& patches)
 {
   std::vector<double> result = values;
-  std::vector<double> known;
-  for(std::size_t i = 0; i < patches.size(); ++i) {
+  Per_thread<ConcurrencyTag, std::vector<double>> buffers([] { return std::vector<double>(); });
+  parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
+    std::vector<double>& known = buffers.local();
     known.clear();
     if(values[i] > 0)
       known.push_back(values[i]);
@@ -137,11 +140,11 @@ inline std::vector<double> median_filtered(const std::vector<double>& values,
       if(values[j] > 0)
         known.push_back(values[j]);
     if(known.empty())
-      continue;
+      return;
     const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
     std::nth_element(known.begin(), middle, known.end());
     result[i] = *middle;
-  }
+  });
   return result;
 }
 
@@ -182,7 +185,7 @@ std::vector<double> medial_ball_radii(const std::vector<Patch>& patches,
 {
   std::vector<double> radii = Facing_balls(patches, confidence, tree).radii<ConcurrencyTag>();
   for(int pass = 0; pass < 3; ++pass)
-    radii = median_filtered(radii, patches);
+    radii = median_filtered<ConcurrencyTag>(radii, patches);
   limit_slope(radii, patches);
   return radii;
 }

@@ -55,7 +55,10 @@ public:
   {
     constexpr int rounds = 3; // every one leaves a tenth of the way
     for(int round = 0; round < rounds; ++round) {
-      parallel_for<ConcurrencyTag>(drawn_.size(), [this](std::size_t v) { drawn_[v] = drawn(v); });
+      parallel_for<ConcurrencyTag>(drawn_.size(), [this](std::size_t v) {
+        if((graph_.vertices[v].position - drawn_[v].from).norm() >= stays * drawn_[v].radius)
+          drawn_[v] = drawn(v);
+      });
       move();
     }
   }
@@ -64,10 +67,15 @@ private:
   /// Where a vertex is drawn.
   struct Drawn
   {
+    Vector3 from = Vector3::Zero(); ///< Where it was then.
     Vector3 target = Vector3::Zero();
     double weight = 0;
-    double radius = 0; ///< Of the limb there.
+    double radius = 0; ///< Of the limb there; 0: not drawn yet.
   };
+
+  /// The centre of a cut hardly depends on where the vertex is, a tenth of the way at the most: a
+  /// vertex that moved less than this share of the radius since is drawn to the same place.
+  static constexpr double stays = 0.02;
 
   /// A vertex without a cut stays about where it was, and lets its neighbours decide.
   static constexpr double least_weight = 0.1;
@@ -76,7 +84,7 @@ private:
   {
     const Skeleton_graph::Vertex& vertex = graph_.vertices[v];
     const double radius = std::max(vertex.radius, spacing_);
-    Drawn result{start_[v].position, least_weight, radius};
+    Drawn result{vertex.position, start_[v].position, least_weight, radius};
     const Piece piece = piece_around(v, radius);
     if(!(piece.half_chord > 0)) // a junction
       return result;
@@ -90,7 +98,7 @@ private:
       vertex.position + section.center.x() * e1 + section.center.y() * e2;
     if(!(section.area > 0) || weight <= least_weight || !inside_(target))
       return result;
-    return {target, weight, std::max(radius, std::sqrt(section.area / CGAL_PI))};
+    return {vertex.position, target, weight, std::max(radius, std::sqrt(section.area / CGAL_PI))};
   }
 
   /// A piece of a branch, read as a parabola.
