@@ -79,7 +79,7 @@ public:
   template <typename ConcurrencyTag, typename Places>
   auto beside_patches(const Places& places) const
   {
-    constexpr std::size_t row = 8; // of patches
+    constexpr std::size_t row = 4; // of patches
     constexpr std::size_t each = std::tuple_size<decltype(places(0))>::value;
     const std::vector<std::size_t>& order = tree_.order();
     std::vector<std::array<double, each>> result(order.size());
