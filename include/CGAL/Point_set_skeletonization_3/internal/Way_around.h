@@ -242,13 +242,14 @@ public:
       , search_([&] { return Way_search(patches_, edges_); })
   {}
 
-  /// What is to be known of a separator; to be made for many at once.
+  /// What is to be known of a separator.
   struct Evidence
   {
     Way_search::Way way;                     ///< From one side to the other.
     std::size_t band = Way_around::unknown; ///< Like that way, if it is long.
   };
 
+  /// Of many separators at once, on all threads.
   std::vector<Evidence> evidence(const std::vector<const Local_separator*>& separators)
   {
     std::vector<Evidence> result(separators.size());

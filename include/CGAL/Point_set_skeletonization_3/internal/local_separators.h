@@ -86,6 +86,79 @@ std::vector<Local_separator> grown_separators(const std::vector<Patch>& patches,
   return found;
 }
 
+/// Chooses separators that cut limbs, one after the other, none touching a patch of another.
+template <typename ConcurrencyTag>
+class Separator_choice
+{
+public:
+  Separator_choice(std::vector<Local_separator> separators, Way_around<ConcurrencyTag>& way_around,
+                   std::size_t number_of_patches)
+      : separators_(std::move(separators))
+      , way_around_(way_around)
+      , evidence_(separators_.size())
+      , has_evidence_(separators_.size(), false)
+      , taken_(number_of_patches, false)
+  {}
+
+  std::vector<Local_separator> operator()()
+  {
+    std::vector<Local_separator> result;
+    for(std::size_t s = 0; s < separators_.size(); ++s) {
+      if(touches(s, taken_))
+        continue;
+      if(!has_evidence_[s])
+        find_evidence(s);
+      if(!way_around_.cuts(separators_[s], evidence_[s]))
+        continue;
+      mark(s, taken_);
+      result.push_back(std::move(separators_[s]));
+    }
+    return result;
+  }
+
+private:
+  bool touches(std::size_t s, const std::vector<bool>& marked) const
+  {
+    return std::any_of(separators_[s].patches.begin(), separators_[s].patches.end(),
+                       [&](std::size_t i) { return marked[i]; });
+  }
+
+  void mark(std::size_t s, std::vector<bool>& marked) const
+  {
+    for(std::size_t i : separators_[s].patches)
+      marked[i] = true;
+  }
+
+  /// For a separator, and for all after it that will be asked for theirs whatever is chosen until
+  /// then: they touch neither what is taken nor a separator that comes before them.
+  void find_evidence(std::size_t first)
+  {
+    std::vector<bool> before = taken_;
+    std::vector<std::size_t> wanted;
+    std::vector<const Local_separator*> separators;
+    for(std::size_t s = first; s < separators_.size(); ++s) {
+      if(touches(s, taken_))
+        continue;
+      if(!has_evidence_[s] && !touches(s, before)) {
+        wanted.push_back(s);
+        separators.push_back(&separators_[s]);
+      }
+      mark(s, before);
+    }
+    auto evidence = way_around_.evidence(separators);
+    for(std::size_t k = 0; k < wanted.size(); ++k) {
+      evidence_[wanted[k]] = std::move(evidence[k]);
+      has_evidence_[wanted[k]] = true;
+    }
+  }
+
+  std::vector<Local_separator> separators_;
+  Way_around<ConcurrencyTag>& way_around_;
+  std::vector<typename Way_around<ConcurrencyTag>::Evidence> evidence_; ///< Of every separator.
+  std::vector<bool> has_evidence_;
+  std::vector<bool> taken_; ///< Of every patch.
+};
+
 /// Separators that cut limbs, all over the shape, the shortest first and none touching a patch of
 /// another: of all that cross one place the tightest is the cross-section.
 template <typename ConcurrencyTag = Sequential_tag>
@@ -99,51 +172,8 @@ std::vector<Local_separator> disjoint_separators(const std::vector<Patch>& patch
   std::sort(found.begin(), found.end(), [](const Local_separator& a, const Local_separator& b) {
     return a.length != b.length ? a.length < b.length : a.patches < b.patches;
   });
-
   Way_around<ConcurrencyTag> way_around(patches, samples, joints, winding_number);
-  std::vector<typename Way_around<ConcurrencyTag>::Evidence> evidence(found.size());
-  std::vector<bool> known(found.size(), false); // whether there is evidence
-  std::vector<bool> taken(patches.size(), false);
-  const auto touches = [](const Local_separator& separator, const std::vector<bool>& marked) {
-    return std::any_of(separator.patches.begin(), separator.patches.end(),
-                       [&](std::size_t i) { return marked[i]; });
-  };
-  const auto mark = [](const Local_separator& separator, std::vector<bool>& marked) {
-    for(std::size_t i : separator.patches)
-      marked[i] = true;
-  };
-  // For one, and for all after it for which it is likely to be needed: they touch nothing that is
-  // taken, nor a separator before them that is still to be decided on.
-  const auto find_evidence = [&](std::size_t first) {
-    std::vector<bool> open = taken;
-    std::vector<std::size_t> wanted;
-    std::vector<const Local_separator*> separators;
-    for(std::size_t s = first; s < found.size(); ++s)
-      if(!touches(found[s], taken)) {
-        if(!known[s] && !touches(found[s], open)) {
-          wanted.push_back(s);
-          separators.push_back(&found[s]);
-        }
-        mark(found[s], open);
-      }
-    auto all = way_around.evidence(separators);
-    for(std::size_t k = 0; k < wanted.size(); ++k) {
-      evidence[wanted[k]] = std::move(all[k]);
-      known[wanted[k]] = true;
-    }
-  };
-  std::vector<Local_separator> result;
-  for(std::size_t s = 0; s < found.size(); ++s) {
-    if(touches(found[s], taken))
-      continue;
-    if(!known[s])
-      find_evidence(s);
-    if(!way_around.cuts(found[s], evidence[s]))
-      continue;
-    mark(found[s], taken);
-    result.push_back(std::move(found[s]));
-  }
-  return result;
+  return Separator_choice<ConcurrencyTag>(std::move(found), way_around, patches.size())();
 }
 
 } // namespace internal
