@@ -23,7 +23,7 @@ struct Cross_section
 {
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< Of its area.
   double area = 0;                                  ///< 0: it is not known.
-  double gap = 2 * CGAL_PI; ///< The widest angle without a point, in [pi / 8, 2 pi]: less is none.
+  double unknown = 2 * CGAL_PI; ///< Sum of the angles by which gaps are wider than between points.
 };
 
 /// Orders directions as their angle in [-pi, pi] does, between half as steeply and as steeply: the
@@ -45,13 +45,14 @@ inline Cross_section cross_section(const std::vector<Eigen::Vector2d>& boundary)
 {
   constexpr std::size_t fewest = 3;
   constexpr double step = CGAL_PI / 8; // the area of a circle in such steps is exact to 3 %
+  constexpr double between_points = CGAL_PI / 3; // a sixth of the way around is no gap yet
   Cross_section result;
   if(boundary.size() < fewest)
     return result;
-  std::vector<std::pair<double, const Eigen::Vector2d*>> around; // by pseudo-angle
+  std::vector<std::pair<double, std::size_t>> around; // by pseudo-angle
   around.reserve(boundary.size() + 1);
-  for(const Eigen::Vector2d& p : boundary)
-    around.emplace_back(pseudo_angle(p), &p);
+  for(std::size_t i = 0; i < boundary.size(); ++i)
+    around.emplace_back(pseudo_angle(boundary[i]), i);
   std::sort(around.begin(), around.end());
   around.emplace_back(around.front().first + 4, around.front().second);
 
@@ -61,9 +62,9 @@ inline Cross_section cross_section(const std::vector<Eigen::Vector2d>& boundary)
     result.area += triangle;
     moment += triangle * (p + q) / 3;
   };
-  result.gap = step;
+  result.unknown = 0;
   for(std::size_t i = 0; i + 1 < around.size(); ++i) {
-    const Eigen::Vector2d &p = *around[i].second, &q = *around[i + 1].second;
+    const Eigen::Vector2d &p = boundary[around[i].second], &q = boundary[around[i + 1].second];
     if(2 * (around[i + 1].first - around[i].first) < step) {
       add(p, q);
       continue;
@@ -72,7 +73,7 @@ inline Cross_section cross_section(const std::vector<Eigen::Vector2d>& boundary)
     double gap = std::atan2(q.y(), q.x()) - angle;
     if(gap <= 0) // from the last to the first
       gap += 2 * CGAL_PI;
-    result.gap = std::max(result.gap, gap);
+    result.unknown += std::max(0.0, gap - between_points);
     const int pieces = 1 + static_cast<int>(gap / step);
     Eigen::Vector2d from = p;
     for(int k = 1; k <= pieces; ++k) {

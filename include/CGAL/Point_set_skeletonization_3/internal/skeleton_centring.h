@@ -90,10 +90,10 @@ private:
       return result;
     const Vector3 e1 = piece.axis.unitOrthogonal(), e2 = piece.axis.cross(e1);
     const Cross_section section = cross_section(cut(v, piece, e1, e2, radius));
-    // A sixth of the way around is a gap between points. With half of it a centre is a guess, but
-    // better than none; with a third left it is none.
-    constexpr double narrow = CGAL_PI / 3, wide = 4 * CGAL_PI / 3;
-    const double weight = std::min(1.0, (wide - section.gap) / (wide - narrow));
+    // With a gap of half the way around a centre is a guess, but better than none; with a third left
+    // it is none, nor is it where a sheet leaves both sides open.
+    constexpr double too_much = CGAL_PI;
+    const double weight = 1 - section.unknown / too_much;
     const Vector3 target =
       vertex.position + section.center.x() * e1 + section.center.y() * e2;
     if(!(section.area > 0) || weight <= least_weight || !inside_(target))
