@@ -336,6 +336,21 @@ private:
     });
   }
 
+  /// The same for all: an outlier shows what is around it, too.
+  template <typename Visit>
+  void for_each(const Visit& visit)
+  {
+    for_each_kept(visit);
+    parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
+      if(!result_.outlier[i])
+        return;
+      Box box;
+      box.add(result_.positions[i]);
+      Views views(*this, box);
+      visit(i, views);
+    });
+  }
+
   /// To be called when components have moved or been dropped.
   void forget_windows()
   {
@@ -351,9 +366,9 @@ private:
     double least = std::numeric_limits<double>::infinity();
     for(std::size_t size = 0; size < sizes; ++size) {
       make_window(size);
-      std::vector<double> roughness((mixture_.size() + every - 1) / every, 1); // of outliers
-      std::vector<double> thickness(roughness.size(), 0);
-      for_each_kept([&](std::size_t i, Views& views) {
+      std::vector<double> roughness((mixture_.size() + every - 1) / every);
+      std::vector<double> thickness(roughness.size());
+      for_each([&](std::size_t i, Views& views) {
         if(i % every > 0)
           return;
         const Local_fit fit = views[size](result_.positions[i]);
@@ -381,23 +396,22 @@ private:
   /// the difference from the neighbours is noise.
   double scatter()
   {
-    std::vector<Vector3> offset(mixture_.size(), Vector3::Zero()), normal(mixture_.size());
-    density_.assign(mixture_.size(), 0);
-    for_each_kept([&](std::size_t i, Views& views) {
+    std::vector<Vector3> offset(mixture_.size()), normal(mixture_.size());
+    density_.resize(mixture_.size());
+    for_each([&](std::size_t i, Views& views) {
       const Local_fit fit = views[0](result_.positions[i]);
       offset[i] = fit.mean - result_.positions[i];
       normal[i] = fit.normal;
       density_[i] = fit.density;
     });
-    std::vector<double> off(kept_.size());
-    parallel_for<ConcurrencyTag>(kept_.size(), [&](std::size_t c) {
-      const std::size_t i = kept_[c];
+    std::vector<double> off(mixture_.size());
+    parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
       const auto& nearest = nearest_[i]; // nothing has moved yet
       const std::size_t size = std::min<std::size_t>(9, nearest.size());
       Vector3 mean = Vector3::Zero();
       for(std::size_t k = 0; k < size; ++k)
         mean += offset[nearest[k].index] / static_cast<double>(size);
-      off[c] = std::abs(normal[i].dot(offset[i] - mean)) / radius(0);
+      off[i] = std::abs(normal[i].dot(offset[i] - mean)) / radius(0);
     });
     return quantile(off, 0.5);
   }
