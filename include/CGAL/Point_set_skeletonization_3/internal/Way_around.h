@@ -18,11 +18,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <map>
 #include <queue>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -35,21 +33,21 @@ namespace internal {
 class Way_search
 {
 public:
-  using Way = std::vector<std::size_t>; ///< Neighbouring patches; as a loop, the last next to the first.
+  /// Neighbouring patches; as a loop, the last next to the first.
+  using Way = std::vector<std::size_t>;
 
   Way_search(const std::vector<Patch>& patches, const Patch_edges& edges)
       : patches_(patches)
       , edges_(edges)
       , place_(patches.size(), elsewhere)
-      , reached_from_(patches.size(), elsewhere)
       , visits_(patches.size())
   {}
 
-  /// The patches along the shortest way from the second side to the first; none if there is no way.
-  Way shortest(const Local_separator& separator)
+  /// A short way from the second side to the first; none if there is no way.
+  Way around(const Local_separator& separator)
   {
     mark(separator);
-    const Way result = are_connected(separator) ? shortest_way(separator) : Way();
+    const Way result = between_sides(separator);
     unmark(separator);
     return result;
   }
@@ -75,15 +73,13 @@ public:
 
 private:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
   enum Place : char { elsewhere, on_separator, on_first_side, on_second_side };
 
-  /// The shortest way to a patch that is known so far.
+  /// How a patch was reached first.
   struct Visit
   {
-    double way = infinity;
+    Place from = elsewhere;    ///< The side.
     std::size_t before = none; ///< The patch before.
-    bool done = false;         ///< There is no shorter one.
   };
 
   void mark(const Local_separator& separator)
@@ -149,71 +145,41 @@ private:
     return false;
   }
 
-  /// Whether there is any way from one side to the other. It is looked for from both in turn: where
-  /// a limb is cut off, only the smaller part of the shape is visited, twice.
-  bool are_connected(const Local_separator& separator)
+  /// Looks from both sides in turn: where a limb is cut off, only the smaller part of the shape is
+  /// visited, twice. Where the two meet the way is as short as may be, but for a few patches.
+  Way between_sides(const Local_separator& separator)
   {
     constexpr std::array<Place, 2> side = {on_first_side, on_second_side};
     std::array<std::vector<std::size_t>, 2> reached;
-    bool result = false;
-    const auto reach = [&](std::size_t i, std::size_t k) {
-      if(reached_from_[i] == elsewhere) {
-        reached_from_[i] = side[k];
+    std::array<std::size_t, 2> meeting = {none, none}; // a patch reached from either side
+    const auto reach = [&](std::size_t i, std::size_t before, std::size_t k) {
+      Visit& visit = visits_[i];
+      if(visit.from == elsewhere) {
+        visit = {side[k], before};
         reached[k].push_back(i);
-      } else if(reached_from_[i] != side[k])
-        result = true;
+      } else if(visit.from != side[k]) {
+        meeting[k] = before;
+        meeting[1 - k] = i;
+      }
     };
     for(std::size_t k : {0, 1})
       for(std::size_t i : separator.sides[k])
-        reach(i, k);
+        reach(i, none, k);
     for(std::size_t next = 0;
-        !result && next < std::min(reached[0].size(), reached[1].size()); ++next)
+        meeting[0] == none && next < std::min(reached[0].size(), reached[1].size()); ++next)
       for(std::size_t k : {0, 1})
         for(const auto& edge : edges_[reached[k][next]])
           if(place_[edge.patch] != on_separator)
-            reach(edge.patch, k);
+            reach(edge.patch, reached[k][next], k);
+    Way way;
+    for(std::size_t i = meeting[1]; i != none; i = visits_[i].before)
+      way.push_back(i);
+    std::reverse(way.begin(), way.end());
+    for(std::size_t i = meeting[0]; i != none; i = visits_[i].before)
+      way.push_back(i);
     for(const std::vector<std::size_t>& visited : reached)
       for(std::size_t i : visited)
-        reached_from_[i] = elsewhere;
-    return result;
-  }
-
-  Way shortest_way(const Local_separator& separator)
-  {
-    using Step = std::pair<double, std::size_t>; // way, patch
-    std::priority_queue<Step, std::vector<Step>, std::greater<Step>> queue;
-    std::vector<std::size_t> visited;
-    const auto visit = [&](std::size_t i, double way, std::size_t before) {
-      Visit& known = visits_[i];
-      if(known.done || std::tie(way, before) >= std::tie(known.way, known.before))
-        return;
-      if(known.way == infinity)
-        visited.push_back(i);
-      known.way = way;
-      known.before = before;
-      queue.emplace(way, i);
-    };
-    for(std::size_t i : separator.sides[0])
-      visit(i, 0, none);
-    std::size_t last = none;
-    while(!queue.empty() && last == none) {
-      const Step step = queue.top();
-      const std::size_t i = step.second;
-      queue.pop();
-      if(visits_[i].done)
-        continue;
-      visits_[i].done = true;
-      if(place_[i] == on_second_side)
-        last = i;
-      for(const auto& edge : edges_[i])
-        if(place_[edge.patch] != on_separator)
-          visit(edge.patch, step.first + static_cast<double>(edge.length), i);
-    }
-    Way way;
-    for(; last != none; last = visits_[last].before)
-      way.push_back(last);
-    for(std::size_t i : visited)
-      visits_[i] = Visit();
+        visits_[i] = Visit();
     return way;
   }
 
@@ -222,7 +188,6 @@ private:
 
   // Of every patch; as at the beginning between calls.
   std::vector<Place> place_;
-  std::vector<Place> reached_from_; ///< A side.
   std::vector<Visit> visits_;
 };
 
@@ -254,7 +219,7 @@ public:
   {
     std::vector<Evidence> result(separators.size());
     parallel_for<ConcurrencyTag>(result.size(), [&](std::size_t k) {
-      result[k].way = search_.local().shortest(*separators[k]);
+      result[k].way = search_.local().around(*separators[k]);
     });
     const std::size_t known = bands_.size();
     for(std::size_t k = 0; k < result.size(); ++k)
