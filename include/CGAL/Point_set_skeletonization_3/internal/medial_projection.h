@@ -122,21 +122,27 @@ inline Vector3 attracted(const Sample& sample, double slab, const Oriented_mixtu
   return sample.position + step - axis.certainty * axis.direction.dot(step) * axis.direction;
 }
 
-/// Distance from `q` to the nearest patch it sees from inside; 0 if it sees none.
+/// Distance from `q` to the nearest patch it sees from inside; 0 if it sees none. If it sees `likely`,
+/// nothing is looked for beyond that patch.
 template <typename ConcurrencyTag>
-double visible_distance(const Vector3& q, const Oriented_surface<ConcurrencyTag>& surface)
+double visible_distance(const Vector3& q, const Oriented_surface<ConcurrencyTag>& surface,
+                        std::size_t likely = 0)
 {
   const Box_tree& tree = surface.tree;
   double nearest = std::numeric_limits<double>::infinity();
+  const auto look_at = [&](std::size_t i) {
+    const Vector3 d = surface.patches[i].mean - q;
+    const double squared = d.squaredNorm();
+    if(squared < nearest &&
+       visibility(d, surface.patches[i].normal, surface.confidence[i]) > 0.5)
+      nearest = squared;
+  };
+  look_at(likely);
   tree.visit_below(
     nearest, [&](std::size_t node) { return tree.boxes()[node].squared_distance(q); },
     [&](std::size_t k) {
-      const Vector3 d = tree.positions()[k] - q;
-      const std::size_t i = tree.order()[k];
-      const double squared = d.squaredNorm();
-      if(squared < nearest &&
-         visibility(d, surface.patches[i].normal, surface.confidence[i]) > 0.5)
-        nearest = squared;
+      if((tree.positions()[k] - q).squaredNorm() < nearest)
+        look_at(tree.order()[k]);
     });
   return nearest < std::numeric_limits<double>::infinity() ? std::sqrt(nearest) : 0;
 }
@@ -232,7 +238,7 @@ Projection_outcome project_samples(std::vector<Sample>& samples,
     }
   }
   parallel_for<ConcurrencyTag>(samples.size(), [&](std::size_t i) {
-    samples[i].radius = visible_distance(samples[i].position, surface);
+    samples[i].radius = visible_distance(samples[i].position, surface, i);
   });
   return outcome;
 }

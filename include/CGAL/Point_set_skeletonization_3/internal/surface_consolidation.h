@@ -351,6 +351,18 @@ private:
     });
   }
 
+  /// What a window of one size shows around every n-th component; nothing of the others.
+  std::vector<Local_fit> fits(std::size_t size, std::size_t every)
+  {
+    make_window(size);
+    std::vector<Local_fit> result(mixture_.size());
+    for_each([&](std::size_t i, Views& views) {
+      if(i % every == 0)
+        result[i] = views[size](result_.positions[i]);
+    });
+    return result;
+  }
+
   /// To be called when components have moved or been dropped.
   void forget_windows()
   {
@@ -365,22 +377,22 @@ private:
     constexpr std::size_t every = 7; // some hundreds are enough
     double least = std::numeric_limits<double>::infinity();
     for(std::size_t size = 0; size < sizes; ++size) {
-      make_window(size);
-      std::vector<double> roughness((mixture_.size() + every - 1) / every);
-      std::vector<double> thickness(roughness.size());
-      for_each([&](std::size_t i, Views& views) {
-        if(i % every > 0)
-          return;
-        const Local_fit fit = views[size](result_.positions[i]);
-        roughness[i / every] = fit.roughness;
-        thickness[i / every] = fit.thickness;
-      });
+      const std::vector<Local_fit> fits = this->fits(size, size == 0 ? 1 : every);
+      std::vector<double> roughness, thickness;
+      for(std::size_t i = 0; i < fits.size(); i += every) {
+        roughness.push_back(fits[i].roughness);
+        thickness.push_back(fits[i].thickness);
+      }
       const double quartile = quantile(roughness, 0.25);
       // Uneven sampling alone measures up to 0.03, noise of a quarter of the spacing 0.05 and more.
       // So much noise that it fills a volume evenly has no scatter, but nothing is smooth.
-      if(size == 0)
-        strength_ = std::min(1.0, std::max({0.0, (scatter() - 0.03) / 0.03,
+      if(size == 0) {
+        density_.clear();
+        for(const Local_fit& fit : fits)
+          density_.push_back(fit.density);
+        strength_ = std::min(1.0, std::max({0.0, (scatter(fits) - 0.03) / 0.03,
                                             (quartile - 0.3) / 0.2}));
+      }
       if(quartile > least)
         return;
       size_ = size;
@@ -394,16 +406,11 @@ private:
   /// How far components lie off the surface through their neighbours, in the median over the shape,
   /// in radii of the window. On a curved surface all lie off their fitted plane, and by the same; only
   /// the difference from the neighbours is noise.
-  double scatter()
+  double scatter(const std::vector<Local_fit>& narrowest) const
   {
-    std::vector<Vector3> offset(mixture_.size()), normal(mixture_.size());
-    density_.resize(mixture_.size());
-    for_each([&](std::size_t i, Views& views) {
-      const Local_fit fit = views[0](result_.positions[i]);
-      offset[i] = fit.mean - result_.positions[i];
-      normal[i] = fit.normal;
-      density_[i] = fit.density;
-    });
+    std::vector<Vector3> offset;
+    for(std::size_t i = 0; i < narrowest.size(); ++i)
+      offset.push_back(narrowest[i].mean - result_.positions[i]);
     std::vector<double> off(mixture_.size());
     parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
       const auto& nearest = nearest_[i]; // nothing has moved yet
@@ -411,7 +418,7 @@ private:
       Vector3 mean = Vector3::Zero();
       for(std::size_t k = 0; k < size; ++k)
         mean += offset[nearest[k].index] / static_cast<double>(size);
-      off[i] = std::abs(normal[i].dot(offset[i] - mean)) / radius(0);
+      off[i] = std::abs(narrowest[i].normal.dot(offset[i] - mean)) / radius(0);
     });
     return quantile(off, 0.5);
   }
@@ -461,7 +468,7 @@ private:
     return result;
   }
 
-  /// Without noise this is all there is to do. At first `scatter()` has done it in the narrowest.
+  /// Without noise this is all there is to do. At first `measure_noise()` has done it in the narrowest.
   void measure_densities(bool narrowest_known)
   {
     const std::vector<std::size_t> size = window_sizes();
@@ -501,17 +508,29 @@ private:
     std::vector<double> densities; // in the order of the tree
     for(std::size_t i : kept_)
       densities.push_back(density_[i]);
-    const double least = thin * *std::max_element(density_.begin(), density_.end());
+    const auto at = [&](std::size_t k) {
+      return densities.begin() + static_cast<std::ptrdiff_t>(k);
+    };
+    std::vector<double> densest; // of every node of the tree
+    for(const Box_tree::Node& node : tree.nodes())
+      densest.push_back(*std::max_element(at(node.begin), at(node.end)));
     std::vector<char> drop(mixture_.size(), 0);
     parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
-      if(result_.outlier[i] || density_[i] >= least) // beside anything it is thick
+      if(result_.outlier[i])
         return;
       // What lies apart from the others is compared with the surface further away.
-      const double reach = spacings_[i] > apart * spacing_ ? 1.5 : 1;
-      double densest = 0;
-      tree.visit_within(result_.positions[i], reach * radius(size_),
-                        [&](std::size_t k, double) { densest = std::max(densest, densities[k]); });
-      drop[i] = density_[i] < thin * densest;
+      const double reach = (spacings_[i] > apart * spacing_ ? 1.5 : 1) * radius(size_);
+      const Vector3& position = result_.positions[i];
+      const auto may_tell = [&](std::size_t node) {
+        return !drop[i] && density_[i] < thin * densest[node] &&
+               tree.boxes()[node].squared_distance(position) < reach * reach;
+      };
+      tree.visit_leaves(may_tell, [&](std::size_t begin, std::size_t end) {
+        for(std::size_t k = begin; k < end; ++k)
+          if(density_[i] < thin * densities[k] &&
+             (tree.positions()[k] - position).squaredNorm() < reach * reach)
+            drop[i] = true;
+      });
     });
     bool any = false;
     for(std::size_t i = 0; i < mixture_.size(); ++i)
