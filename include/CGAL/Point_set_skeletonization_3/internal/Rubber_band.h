@@ -64,23 +64,25 @@ public:
   bool shrinks()
   {
     constexpr int most_steps = 60; // half a dozen are usual
-    constexpr double slow = 0.98;  // of the length before
+    constexpr double slow = 0.98;  // of the shortest before
     constexpr int patience = 3;    // it may have to slide around a corner first
     const double point = CGAL_PI * resolution_; // a circle as wide as the resolution
-    double length = this->length();
+    double length = this->length(), shortest = length; // it may tremble in between
     for(int step = 0, stuck = 0; step < most_steps && stuck < patience; ++step) {
+      drop_points(length);
       tighten();
-      const double before = length;
       length = this->length();
       if(length < point)
         return true;
-      stuck = length > slow * before ? stuck + 1 : 0;
+      stuck = length > slow * shortest ? stuck + 1 : 0;
+      shortest = std::min(shortest, length);
     }
     return length < 2 * point;
   }
 
 private:
-  static constexpr std::size_t size = 32; // a hole is wider than a thirty-second of the way around
+  // At first; a hole is wider than a thirty-second of the way around.
+  static constexpr std::size_t size = 32;
 
   static double at(std::size_t k) { return static_cast<double>(k) / size; }
 
@@ -110,19 +112,32 @@ private:
 
   double length() const
   {
-    double result = (points_.front() - points_.back()).norm();
-    for(std::size_t k = 1; k < size; ++k)
+    double result = (points_.front() - points_[size_ - 1]).norm();
+    for(std::size_t k = 1; k < size_; ++k)
       result += (points_[k] - points_[k - 1]).norm();
     return result;
+  }
+
+  /// Drops every other point as long as those that are left lie closer than two resolutions on a curve
+  /// of some length: nothing that holds it is thinner.
+  void drop_points(double length)
+  {
+    constexpr std::size_t least = 8;
+    while(size_ > least && length < static_cast<double>(size_) * resolution_) {
+      size_ /= 2;
+      for(std::size_t k = 0; k < size_; ++k)
+        points_[k] = points_[2 * k];
+    }
   }
 
   /// Moves every point to the mean of as long a part of the curve around it as the solid lets it;
   /// a point at a wall slides along it.
   void tighten()
   {
-    for(std::size_t i = 0; i < size; ++i) {
-      const std::array<Vector3, 4> means = {
-        {mean_around(i, 8), mean_around(i, 4), mean_around(i, 2), mean_around(i, 1)}};
+    for(std::size_t i = 0; i < size_; ++i) {
+      std::array<Vector3, 4> means; // a quarter of the curve to either side, half of that, ...
+      for(std::size_t k = 0; k < means.size(); ++k)
+        means[k] = mean_around(i, std::max<std::size_t>(1, size_ >> (k + 2)));
       const std::array<double, 4> winding_numbers = winding_number_(means);
       bool moved = false;
       for(std::size_t k = 0; k < 4 && !moved; ++k)
@@ -138,9 +153,9 @@ private:
   Vector3 mean_around(std::size_t i, std::size_t reach) const
   {
     Vector3 mean = Vector3::Zero();
-    for(std::size_t k = size - reach; k <= size + reach; ++k)
-      mean += points_[(i + k) % size] / static_cast<double>(2 * reach + 1);
-    return mean;
+    for(std::size_t k = size_ - reach; k <= size_ + reach; ++k)
+      mean += points_[(i + k) % size_];
+    return mean / static_cast<double>(2 * reach + 1);
   }
 
   /// The direction in which the winding number grows, from the corners of a tetrahedron around.
@@ -149,8 +164,10 @@ private:
     const double h = resolution_ / (2 * std::sqrt(3.0));
     const std::array<Vector3, 4> corners = {
       {{h, h, h}, {h, -h, -h}, {-h, h, -h}, {-h, -h, h}}};
-    const std::array<double, 4> values =
-      winding_number_(std::array<Vector3, 4>{{p + corners[0], p + corners[1], p + corners[2], p + corners[3]}});
+    std::array<Vector3, 4> places;
+    for(std::size_t k = 0; k < 4; ++k)
+      places[k] = p + corners[k];
+    const std::array<double, 4> values = winding_number_(places);
     Vector3 gradient = Vector3::Zero();
     for(std::size_t k = 0; k < 4; ++k)
       gradient += values[k] * corners[k];
@@ -189,6 +206,7 @@ private:
     return true;
   }
 
+  std::size_t size_ = size; ///< Of its points, those that are left.
   double resolution_;
   const Winding_number& winding_number_;
   std::array<Vector3, size> points_;
