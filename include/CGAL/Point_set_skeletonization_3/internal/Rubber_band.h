@@ -122,7 +122,7 @@ private:
   /// of some length: nothing that holds it is thinner.
   void drop_points(double length)
   {
-    constexpr std::size_t least = 8;
+    constexpr std::size_t least = 16; // with eight, a curve cuts the corners of what holds it
     while(size_ > least && length < static_cast<double>(size_) * resolution_) {
       size_ /= 2;
       for(std::size_t k = 0; k < size_; ++k)
