@@ -109,11 +109,9 @@ private:
 class Growing_region
 {
 public:
-  /// `means` are those of the patches.
-  Growing_region(const std::vector<Patch>& patches, const std::vector<Vector3>& means,
-                 const Patch_edges& edges, const std::vector<Sample>& samples)
+  Growing_region(const std::vector<Patch>& patches, const Patch_edges& edges,
+                 const std::vector<Sample>& samples)
       : patches_(patches)
-      , means_(means)
       , edges_(edges)
       , samples_(samples)
       , region_(patches.size())
@@ -130,7 +128,8 @@ public:
     /// Empty if the ball became larger than anything that a limb at this place can be, or held half
     /// of the shape: there is no limb here.
     Local_separator separator;
-    std::vector<std::size_t> same; ///< Patches whose regions would end in much the same way.
+    /// Patches off the separator whose regions would end in much the same way.
+    std::vector<std::size_t> same;
   };
 
   /// The separator through the region that grows from the sample of a patch.
@@ -159,18 +158,18 @@ public:
       whole = parts.empty();
       if(splits(parts)) {
         result.separator = cut(parts);
-        result.same = result.separator.patches;
         break;
       }
     }
-    if(result.same.empty())
-      result.same = within(same_place * radius);
+    for(std::size_t i : region_)
+      if(label_[i] != on_separator && (samples_[i].position - center_).norm() < same_place * radius)
+        result.same.push_back(i);
     clear();
     return result;
   }
 
   /// Balls whose centres are closer than this, in radii, hold mostly the same.
-  static constexpr double same_place = 0.7;
+  static constexpr double same_place = 0.4;
 
 private:
   using Part = std::vector<std::size_t>;
@@ -199,7 +198,7 @@ private:
       label = is_new ? front : label;
     }
     for(std::size_t k = first; k < front_.size(); ++k)
-      squared_distance_[front_[k]] = (means_[front_[k]] - center_).squaredNorm();
+      squared_distance_[front_[k]] = (patches_[front_[k]].mean - center_).squaredNorm();
   }
 
   /// Moves what the ball holds from the front into the region, and what is next to that into the
@@ -218,16 +217,6 @@ private:
       add_neighbors_to_front(i);
     }
     front_.shorten(kept);
-  }
-
-  /// The patches of the region with samples within a distance of the centre.
-  std::vector<std::size_t> within(double reach) const
-  {
-    std::vector<std::size_t> result;
-    for(std::size_t i : region_)
-      if((samples_[i].position - center_).norm() < reach)
-        result.push_back(i);
-    return result;
   }
 
   /// Calls `visit(i)` for every patch of the region and then of the front.
@@ -361,7 +350,6 @@ private:
   }
 
   const std::vector<Patch>& patches_;
-  const std::vector<Vector3>& means_;
   const Patch_edges& edges_;
   const std::vector<Sample>& samples_;
   Vector3 center_ = Vector3::Zero();

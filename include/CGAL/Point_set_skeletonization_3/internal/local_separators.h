@@ -48,7 +48,7 @@ std::vector<std::size_t> separator_seeds(const std::vector<Sample>& samples)
 /// Separators grown from the seeds, in their order. A patch that two separators hold needs no third
 /// (Baerentzen & Rotenberg 2021 skip such seeds the more likely the more separators hold them): most
 /// of them are the same, and the tightest cross-section is among the first few. Nor does a place from
-/// which two regions have found none.
+/// which two regions have grown, whether they have found one or none.
 template <typename ConcurrencyTag>
 std::vector<Local_separator> grown_separators(const std::vector<Patch>& patches,
                                               const std::vector<Sample>& samples,
@@ -59,12 +59,8 @@ std::vector<Local_separator> grown_separators(const std::vector<Patch>& patches,
   // so the result does not depend on the number of threads. More rounds skip hardly more seeds.
   constexpr std::size_t rounds = 8;
   const Patch_edges edges(patches);
-  std::vector<Vector3> means;
-  means.reserve(patches.size());
-  for(const Patch& patch : patches)
-    means.push_back(patch.mean);
   Per_thread<ConcurrencyTag, Growing_region> region(
-    [&] { return Growing_region(patches, means, edges, samples); });
+    [&] { return Growing_region(patches, edges, samples); });
   std::vector<Growing_region::Result> results(seeds.size());
   std::vector<int> tried(patches.size(), 0);
   for(std::size_t round = 0; round < rounds; ++round) {
@@ -76,8 +72,9 @@ std::vector<Local_separator> grown_separators(const std::vector<Patch>& patches,
       results[open[k]] = region.local().grow_from(seeds[open[k]]);
     });
     for(std::size_t s : open)
-      for(std::size_t i : results[s].same)
-        ++tried[i];
+      for(const auto* held : {&results[s].separator.patches, &results[s].same})
+        for(std::size_t i : *held)
+          ++tried[i];
   }
   std::vector<Local_separator> found;
   for(Growing_region::Result& result : results)
