@@ -162,6 +162,24 @@ TEST_CASE("The winding number is the sum of all dipoles, up to the error of the 
   CHECK(Winding_number({}, Box_tree())(Vector3::Zero()) == 0);
 }
 
+TEST_CASE("The winding number of patches that coincide is finite, and 0 far away")
+{
+  for(const std::size_t size : {1, 20}) {
+    CAPTURE(size);
+    std::vector<Patch> patches(size);
+    for(Patch& patch : patches) {
+      patch.mean = Vector3(0.3, 0.2, 0.1);
+      patch.spacing = least_spacing;
+      patch.area = least_spacing * least_spacing;
+      patch.planarity = 1;
+    }
+    const Box_tree tree = tree_over(patches);
+    const Winding_number winding_number(patches, tree);
+    CHECK(std::isfinite(winding_number(patches[0].mean)));
+    CHECK(std::abs(winding_number(Vector3(0.4, 0.3, 0.2))) < 1e-6);
+  }
+}
+
 TEST_CASE("The facing ball is the third smallest of those with all patches that face one and count")
 {
   CAPTURE(seed);

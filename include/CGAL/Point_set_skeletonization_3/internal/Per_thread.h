@@ -29,6 +29,13 @@ public:
 
   Object& local() { return object_; }
 
+  /// Calls `visit(object)` for each there is.
+  template <typename Visit>
+  void for_each(const Visit& visit)
+  {
+    visit(object_);
+  }
+
 private:
   Object object_;
 };
@@ -44,6 +51,12 @@ public:
   {}
 
   Object& local() { return objects_.local(); }
+
+  template <typename Visit>
+  void for_each(const Visit& visit)
+  {
+    objects_.combine_each(visit);
+  }
 
 private:
   tbb::combinable<Object> objects_;

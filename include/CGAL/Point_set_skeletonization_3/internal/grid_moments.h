@@ -13,7 +13,6 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>

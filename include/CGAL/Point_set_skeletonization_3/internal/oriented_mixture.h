@@ -10,10 +10,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>

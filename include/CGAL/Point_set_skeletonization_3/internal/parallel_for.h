@@ -4,11 +4,12 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PARALLEL_FOR_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PARALLEL_FOR_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/Per_thread.h>
+
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
-#include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #endif
@@ -63,18 +64,16 @@ void parallel_invoke(const First& first, const Second& second)
 template <typename ConcurrencyTag, typename Value, typename Body>
 Value parallel_sum(std::size_t size, const Value& none, const Body& body)
 {
-  Value sum = none;
-#ifdef CGAL_LINKED_WITH_TBB
-  if constexpr(std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
-    tbb::combinable<Value> values([&] { return none; });
-    parallel_for<ConcurrencyTag>(size, [&](std::size_t i) { body(i, values.local()); });
-    values.combine_each([&](Value& value) { sum.add(std::move(value)); });
-    return sum;
-  }
-#endif
-  for(std::size_t i = 0; i < size; ++i)
-    body(i, sum);
-  return sum;
+  Per_thread<ConcurrencyTag, Value> values([&] { return none; });
+  parallel_for<ConcurrencyTag>(size, [&](std::size_t i) { body(i, values.local()); });
+  Value* sum = nullptr;
+  values.for_each([&](Value& value) {
+    if(sum)
+      sum->add(std::move(value));
+    else
+      sum = &value;
+  });
+  return sum ? std::move(*sum) : none;
 }
 
 } // namespace internal

@@ -10,7 +10,6 @@
 #include <CGAL/Point_set_skeletonization_3/internal/local_separators.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <utility>
