@@ -7,6 +7,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/oriented_mixture.h>
+#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_orientation.h>
 #include <CGAL/Point_set_skeletonization_3/internal/winding_number.h>
@@ -30,11 +31,13 @@ public:
 
   /// Where the neighbourhoods are known.
   Oriented_surface(const Gaussians& gaussians, const Neighborhoods& nearest)
-    : patches(surface_patches<ConcurrencyTag>(gaussians, nearest)), spacing(median_spacing(patches)),
-      tree(
-        patches.size(), [&](std::size_t i) { return patches[i].mean; }, ConcurrencyTag())
+    : patches(surface_patches<ConcurrencyTag>(gaussians, nearest)), spacing(median_spacing(patches))
   {
-    orient_patches(patches);
+    const auto grow_tree = [&] {
+      tree = Box_tree(
+        patches.size(), [&](std::size_t i) { return patches[i].mean; }, ConcurrencyTag());
+    };
+    parallel_invoke<ConcurrencyTag>([&] { orient_patches(patches); }, grow_tree);
     winding_number = settle_orientation<ConcurrencyTag>(patches, tree);
     confidence = orientation_confidence<ConcurrencyTag>(patches);
     part_facing_patches<ConcurrencyTag>(patches, confidence);

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -164,13 +165,16 @@ std::vector<Local_separator> disjoint_separators(const std::vector<Patch>& patch
                                                  const Limb_joints& joints,
                                                  const Winding_number& winding_number)
 {
-  std::vector<Local_separator> found =
-      grown_separators<ConcurrencyTag>(patches, samples, separator_seeds<ConcurrencyTag>(samples));
+  std::vector<std::size_t> seeds;
+  std::optional<Way_around<ConcurrencyTag>> way_around;
+  parallel_invoke<ConcurrencyTag>(
+    [&] { seeds = separator_seeds<ConcurrencyTag>(samples); },
+    [&] { way_around.emplace(patches, samples, joints, winding_number); });
+  std::vector<Local_separator> found = grown_separators<ConcurrencyTag>(patches, samples, seeds);
   std::sort(found.begin(), found.end(), [](const Local_separator& a, const Local_separator& b) {
     return a.length != b.length ? a.length < b.length : a.patches < b.patches;
   });
-  Way_around<ConcurrencyTag> way_around(patches, samples, joints, winding_number);
-  return Separator_choice<ConcurrencyTag>(std::move(found), way_around, patches.size())();
+  return Separator_choice<ConcurrencyTag>(std::move(found), *way_around, patches.size())();
 }
 
 } // namespace internal

@@ -53,8 +53,10 @@ auto exponential_of_32_times(const Array& x)
 /// A mixture with a tree over it, in whose order it is.
 struct Mixture_tree
 {
-  explicit Mixture_tree(const Gaussians& components)
-    : tree(components.size(), [&](std::size_t i) { return components[i].mean; })
+  template <typename ConcurrencyTag>
+  Mixture_tree(const Gaussians& components, ConcurrencyTag tag)
+    : tree(
+        components.size(), [&](std::size_t i) { return components[i].mean; }, tag)
   {
     mixture.reserve(components.size());
     for(std::size_t i : tree.order())
@@ -177,13 +179,15 @@ private:
 class Mixture_window
 {
 public:
-  Mixture_window(std::shared_ptr<const Mixture_tree> finest, double spacing, double radius)
+  template <typename ConcurrencyTag>
+  Mixture_window(std::shared_ptr<const Mixture_tree> finest, double spacing, double radius,
+                 ConcurrencyTag tag)
     : radius_(radius), components_(std::move(finest))
   {
     constexpr double resolution = 1.0 / 3; // of the radius: two dozen components in a window
     if(resolution * radius > spacing)
       components_ = std::make_shared<Mixture_tree>(
-        coarsened(components_->mixture, resolution * radius));
+        coarsened(components_->mixture, resolution * radius), tag);
   }
 
   Window_view around(const Box& box) const { return {*components_, radius_, box}; }
@@ -282,7 +286,7 @@ private:
         components.push_back({mixture_[i].weight, result_.positions[i], mixture_[i].covariance});
         kept.push_back(i);
       }
-    finest_ = std::make_shared<Mixture_tree>(components);
+    finest_ = std::make_shared<Mixture_tree>(components, ConcurrencyTag());
     kept_.clear();
     for(std::size_t k : finest_->tree.order())
       kept_.push_back(kept[k]);
@@ -292,7 +296,8 @@ private:
   void make_window(std::size_t size)
   {
     if(!windows_[size])
-      windows_[size] = std::make_unique<Mixture_window>(finest(), spacing_, radius(size));
+      windows_[size] = std::make_unique<Mixture_window>(finest(), spacing_, radius(size),
+                                                         ConcurrencyTag());
   }
 
   /// The windows around the points of a box.

@@ -9,6 +9,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 
 #include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
@@ -37,7 +38,10 @@ class Winding_number
 {
 public:
   /// `tree` over the patches; it has to stay.
-  Winding_number(const std::vector<Patch>& patches, const Box_tree& tree) : tree_(tree)
+  template <typename ConcurrencyTag = Sequential_tag>
+  Winding_number(const std::vector<Patch>& patches, const Box_tree& tree,
+                 ConcurrencyTag = ConcurrencyTag())
+    : tree_(tree)
   {
     if(patches.empty())
       return;
@@ -51,9 +55,11 @@ public:
                          patches[i].planarity * patches[i].area / (unit_ * unit_) * patches[i].normal,
                          patches[i].spacing / (2 * unit_)});
     dipoles_.assign(dipoles.begin(), dipoles.end());
-    groups_.reserve(tree_.nodes().size());
-    for(const Box_tree::Node& node : tree_.nodes())
-      groups_.emplace_back(dipoles.data() + node.begin, dipoles.data() + node.end);
+    groups_.resize(tree_.nodes().size());
+    parallel_for<ConcurrencyTag>(groups_.size(), [&](std::size_t n) {
+      const Box_tree::Node& node = tree_.nodes()[n];
+      groups_[n] = Group(dipoles.data() + node.begin, dipoles.data() + node.end);
+    });
   }
 
   double operator()(const Vector3& q) const { return (*this)(std::array<Vector3, 1>{{q}})[0]; }
@@ -135,6 +141,8 @@ private:
   /// Dipoles seen from far away.
   struct Group
   {
+    Group() = default;
+
     Group(const Dipole* begin, const Dipole* end)
     {
       double weight = 0;
@@ -182,7 +190,7 @@ private:
     Eigen::Vector3f center;   ///< Of their area.
     Eigen::Vector3f moment;
     Eigen::Vector3f diagonal, mixed; ///< The second term: the factors of xx, yy, zz and yz, zx, xy.
-    float reach;                     ///< Beyond this distance from the centre that holds.
+    float reach = 0;                 ///< Beyond this distance from the centre that holds.
   };
 
   template <std::size_t N>
@@ -232,7 +240,7 @@ template <typename ConcurrencyTag>
 std::unique_ptr<Winding_number> settle_orientation(std::vector<Patch>& patches,
                                                    const Box_tree& tree)
 {
-  auto winding_number = std::make_unique<Winding_number>(patches, tree);
+  auto winding_number = std::make_unique<Winding_number>(patches, tree, ConcurrencyTag());
   const auto turn_where = [&](const auto& is_wrong) {
     std::vector<char> wrong(patches.size());
     parallel_for<ConcurrencyTag>(patches.size(),
@@ -241,7 +249,7 @@ std::unique_ptr<Winding_number> settle_orientation(std::vector<Patch>& patches,
       if(wrong[i])
         patches[i].normal = -patches[i].normal;
     if(std::any_of(wrong.begin(), wrong.end(), [](char is) { return is; }))
-      winding_number = std::make_unique<Winding_number>(patches, tree);
+      winding_number = std::make_unique<Winding_number>(patches, tree, ConcurrencyTag());
   };
   // On the surface the winding number is a half where the surroundings are oriented well, minus a
   // half where they are inside out, and 0 on an open sheet, which has no inside.
