@@ -20,16 +20,31 @@ struct Performance_row
   Measured_runs measured;
 
   /// The seconds of a stage; not a number if something went wrong or there is no such stage.
-  double cpu(const std::string& stage) const { return seconds(stage, &Stage_seconds::cpu); }
-  double wall(const std::string& stage) const { return seconds(stage, &Stage_seconds::wall); }
+  double cpu(const std::string& stage) const { return median(stage, &Stage_seconds::cpu); }
+  double wall(const std::string& stage) const { return median(stage, &Stage_seconds::wall); }
+
+  /// CPU or wall seconds of a stage in every run; none if something went wrong.
+  std::vector<double> of_runs(const std::string& stage, double Stage_seconds::*kind) const
+  {
+    std::vector<double> result;
+    if(measured.status == "ok")
+      for(const std::vector<Stage_seconds>& stages : measured.stages_of_runs)
+        result.push_back(seconds(stages, stage, kind));
+    return result;
+  }
 
 private:
-  double seconds(const std::string& name, double Stage_seconds::*kind) const
+  double median(const std::string& stage, double Stage_seconds::*kind) const
   {
-    if(measured.status == "ok")
-      for(const Stage_seconds& stage : measured.stages)
-        if(stage.name == name)
-          return stage.*kind;
+    return measured.status == "ok" ? seconds(measured.stages, stage, kind) : not_measured;
+  }
+
+  static double seconds(const std::vector<Stage_seconds>& stages, const std::string& name,
+                        double Stage_seconds::*kind)
+  {
+    for(const Stage_seconds& stage : stages)
+      if(stage.name == name)
+        return stage.*kind;
     return not_measured;
   }
 };

@@ -15,7 +15,6 @@
 namespace {
 
 using Json = nlohmann::json;
-using Work = std::function<void(Stopwatch&)>;
 
 double peak_memory_so_far()
 {
@@ -74,23 +73,34 @@ double median(const std::vector<Measured_runs>& runs, const Value& value)
   return median_of(values);
 }
 
+Measured_runs medians(const std::vector<Measured_runs>& runs)
+{
+  Measured_runs result = runs.front();
+  result.runs = runs.size();
+  result.peak_memory = median(runs, [](const auto& run) { return run.peak_memory; });
+  result.extra_memory = median(runs, [](const auto& run) { return run.extra_memory; });
+  for(std::size_t s = 0; s < result.stages.size(); ++s) {
+    result.stages[s].cpu = median(runs, [s](const auto& run) { return run.stages.at(s).cpu; });
+    result.stages[s].wall = median(runs, [s](const auto& run) { return run.stages.at(s).wall; });
+  }
+  result.stages_of_runs.clear();
+  for(const Measured_runs& run : runs)
+    result.stages_of_runs.push_back(run.stages);
+  return result;
+}
+
 } // namespace
 
-Measured_runs measure_runs(const Work& work, std::size_t runs, double time_limit)
+std::vector<Measured_runs> measure_runs(const std::vector<Work>& works, std::size_t runs,
+                                        double time_limit)
 {
-  std::vector<Measured_runs> all;
-  while(all.size() < runs) {
-    all.push_back(measure_once(work, time_limit));
-    if(all.back().status != "ok")
-      return all.back();
-  }
-  Measured_runs result = all.front();
-  result.runs = runs;
-  result.peak_memory = median(all, [](const auto& run) { return run.peak_memory; });
-  result.extra_memory = median(all, [](const auto& run) { return run.extra_memory; });
-  for(std::size_t s = 0; s < result.stages.size(); ++s) {
-    result.stages[s].cpu = median(all, [s](const auto& run) { return run.stages.at(s).cpu; });
-    result.stages[s].wall = median(all, [s](const auto& run) { return run.stages.at(s).wall; });
-  }
+  std::vector<std::vector<Measured_runs>> all(works.size());
+  for(std::size_t run = 0; run < runs; ++run)
+    for(std::size_t w = 0; w < works.size(); ++w)
+      if(run == 0 || all[w].back().status == "ok")
+        all[w].push_back(measure_once(works[w], time_limit));
+  std::vector<Measured_runs> result;
+  for(const std::vector<Measured_runs>& own : all)
+    result.push_back(own.back().status == "ok" ? medians(own) : own.back());
   return result;
 }

@@ -61,7 +61,14 @@ std::vector<std::string> chosen_files(const std::vector<std::string>& arguments)
   return files;
 }
 
-/// Runs methods and writes their rows as soon as they are there.
+struct Contestant
+{
+  std::string method;
+  std::size_t threads;
+  Work work;
+};
+
+/// Runs methods and writes their rows as soon as those of an input are there.
 class Contest
 {
 public:
@@ -74,12 +81,18 @@ public:
                 "wall_seconds", "peak_rss_mib", "rss_beyond_input_mib", "status"});
   }
 
-  void run(const std::string& input, std::size_t points, const std::string& method,
-           const std::function<void(Stopwatch&)>& work, std::size_t threads = 1)
+  void run(const std::string& input, std::size_t points,
+           const std::vector<Contestant>& contestants)
   {
-    rows_.push_back({input, points, method, threads,
-                     measure_runs(work, options_.runs, options_.time_limit)});
-    write(rows_.back());
+    std::vector<Work> works;
+    for(const Contestant& contestant : contestants)
+      works.push_back(contestant.work);
+    const auto measured = measure_runs(works, options_.runs, options_.time_limit);
+    for(std::size_t c = 0; c < contestants.size(); ++c) {
+      rows_.push_back(
+        {input, points, contestants[c].method, contestants[c].threads, measured[c]});
+      write(rows_.back());
+    }
   }
 
   const std::vector<Performance_row>& rows() const { return rows_; }
@@ -106,34 +119,33 @@ private:
   std::vector<Performance_row> rows_;
 };
 
-/// With one and two threads.
-void run_ours(Contest& contest, const std::string& input, const std::vector<Point>& points)
+/// Those that work on the points, which they refer to: this package with one and two threads, and
+/// rivals.
+std::vector<Contestant> on_points(const std::vector<Point>& points)
 {
+  std::vector<Contestant> result;
   for(const std::size_t threads : {1, 2})
-    contest.run(
-        input, points.size(), method_names::ours,
-        [&](Stopwatch& stopwatch) { skeletonize_points(points, threads, stopwatch); }, threads);
-}
-
-void run_rivals_on_points(Contest& contest, const std::string& input,
-                          const std::vector<Point>& points)
-{
-  contest.run(input, points.size(), method_names::wlop,
-              [&](Stopwatch& stopwatch) { wlop(points, stopwatch); });
-  contest.run(input, points.size(), method_names::neighbors,
-              [&](Stopwatch& stopwatch) { neighbor_queries(points, stopwatch); });
+    result.push_back({method_names::ours, threads, [&points, threads](Stopwatch& stopwatch) {
+                        skeletonize_points(points, threads, stopwatch);
+                      }});
+  result.push_back(
+    {method_names::wlop, 1, [&](Stopwatch& stopwatch) { wlop(points, stopwatch); }});
+  result.push_back({method_names::neighbors, 1,
+                    [&](Stopwatch& stopwatch) { neighbor_queries(points, stopwatch); }});
+  return result;
 }
 
 void run_model(Contest& contest, const std::string& file, std::size_t size)
 {
   const Model model = read_model(file, size, 0);
-  const std::size_t points = model.points.size();
-  run_ours(contest, model.name, model.points);
-  contest.run(model.name, points, method_names::flow,
-              [&](Stopwatch& stopwatch) { flow_mesh(model.components, stopwatch); });
-  contest.run(model.name, points, method_names::wrap_and_flow,
-              [&](Stopwatch& stopwatch) { wrap_and_flow(model.points, stopwatch); });
-  run_rivals_on_points(contest, model.name, model.points);
+  std::vector<Contestant> contestants = on_points(model.points);
+  contestants.push_back({method_names::flow, 1, [&](Stopwatch& stopwatch) {
+                           flow_mesh(model.components, stopwatch);
+                         }});
+  contestants.push_back({method_names::wrap_and_flow, 1, [&](Stopwatch& stopwatch) {
+                           wrap_and_flow(model.points, stopwatch);
+                         }});
+  contest.run(model.name, model.points.size(), contestants);
 }
 
 std::vector<Point> sampled(const std::string& file, std::size_t size)
@@ -195,14 +207,17 @@ void run_large(Contest& contest, const std::string& file, std::size_t size)
 {
   {
     const Sampled_file stream(file, size);
-    contest.run(name_of(file), size, method_names::streamed,
-                [&](Stopwatch& stopwatch) { skeletonize_stream(stream.name(), stopwatch); });
+    contest.run(name_of(file), size,
+                {{method_names::streamed, 1, [&](Stopwatch& stopwatch) {
+                    skeletonize_stream(stream.name(), stopwatch);
+                  }}});
   }
   const std::vector<Point> points = sampled(file, size);
-  run_ours(contest, name_of(file), points);
-  contest.run(name_of(file), size, method_names::bare,
-              [&](Stopwatch& stopwatch) { skeletonize_bare(points, stopwatch); });
-  run_rivals_on_points(contest, name_of(file), points);
+  std::vector<Contestant> contestants = on_points(points);
+  contestants.push_back({method_names::bare, 1, [&](Stopwatch& stopwatch) {
+                           skeletonize_bare(points, stopwatch);
+                         }});
+  contest.run(name_of(file), size, contestants);
 }
 
 void run(const Options& options)
@@ -235,7 +250,7 @@ bool parse(int argc, char** argv, Options& options)
                  "points drawn from the first mesh [1000000,10000000]; 0: none")
       ->type_name("N")
       ->delimiter(',');
-  app.add_option("--runs", options.runs, "the medians of so many are taken [3]")
+  app.add_option("--runs", options.runs, "the medians of so many are taken, every method in turn [3]")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
   app.add_option("--time-limit", options.time_limit, "seconds that a run may take [600]")

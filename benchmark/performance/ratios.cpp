@@ -6,6 +6,7 @@
 #include "Table.h"
 #include "methods/Method.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -47,13 +48,24 @@ Rows our_rows(const Rows& rows)
   return result;
 }
 
+/// Of the seconds of one to those of the other, in the median over the runs: those of the same round
+/// find the machine in the same state.
+double median_ratio(const std::vector<double>& one, const std::vector<double>& other)
+{
+  std::vector<double> ratios;
+  for(std::size_t run = 0; run < std::min(one.size(), other.size()); ++run)
+    ratios.push_back(one[run] / other[run]);
+  return ratios.empty() ? not_measured : median_of(ratios);
+}
+
 /// What is asked for at this number of points.
 std::vector<Ratio> ratios_of(const Rows& rows, const Performance_row& ours)
 {
   const bool is_model = ours.points < 100000, is_million = ours.points == 1000000;
   const bool is_huge = ours.points >= 10000000;
   const auto rival = [&](const std::string& method, const std::string& stage) {
-    return ours.cpu("total") / find(rows, ours, method).cpu(stage);
+    return median_ratio(ours.of_runs("total", &Stage_seconds::cpu),
+                        find(rows, ours, method).of_runs(stage, &Stage_seconds::cpu));
   };
   std::vector<Ratio> result;
   const auto add = [&](const std::string& what, double value, double asked, bool at_most) {
@@ -67,7 +79,10 @@ std::vector<Ratio> ratios_of(const Rows& rows, const Performance_row& ours)
     add("time / queries of 16 neighbours", rival(method_names::neighbors, "queries"), 0.25, true);
   if(is_model || is_million)
     add("one thread / two threads",
-        ours.wall("total") / find(rows, ours, method_names::ours, 2).wall("total"), 1.7, false);
+        median_ratio(ours.of_runs("total", &Stage_seconds::wall),
+                     find(rows, ours, method_names::ours, 2)
+                       .of_runs("total", &Stage_seconds::wall)),
+        1.7, false);
   if(is_huge) {
     const double input = static_cast<double>(ours.points * sizeof(Point)) / mebibyte;
     add("memory beyond input / input", ours.measured.extra_memory / input, 0.25, true);
