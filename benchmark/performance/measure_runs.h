@@ -17,7 +17,7 @@ struct Measured_runs
 {
   std::size_t runs = 0;
   std::vector<Stage_seconds> stages;  ///< the last is "total"
-  std::vector<std::vector<Stage_seconds>> stages_of_runs;
+  std::vector<std::vector<Stage_seconds>> stages_of_runs; ///< empty if something went wrong
   double peak_memory = not_measured;  ///< MiB, of the process, which includes program and input
   double extra_memory = not_measured; ///< MiB, what came on top of these
   std::string status = "ok";          ///< or what went wrong in the last run
