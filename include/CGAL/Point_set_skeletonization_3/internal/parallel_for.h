@@ -73,7 +73,9 @@ Value parallel_sum(std::size_t size, const Value& none, const Body& body)
     else
       sum = &value;
   });
-  return sum ? std::move(*sum) : none;
+  if(!sum)
+    return none;
+  return std::move(*sum);
 }
 
 } // namespace internal
