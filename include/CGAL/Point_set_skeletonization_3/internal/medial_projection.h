@@ -17,7 +17,6 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -123,7 +122,7 @@ inline Vector3 attracted(const Sample& sample, double slab, const Oriented_mixtu
 }
 
 /// Distance from `q` to the nearest patch it sees from inside; 0 if it sees none. If it sees `likely`,
-/// nothing is looked for beyond that patch.
+/// nothing is looked for beyond that patch. \pre there is a patch
 template <typename ConcurrencyTag>
 double visible_distance(const Vector3& q, const Oriented_surface<ConcurrencyTag>& surface,
                         std::size_t likely = 0)
@@ -158,15 +157,14 @@ std::vector<Sample> medial_samples(const std::vector<Patch>& patches,
   const auto center = [&](std::size_t i) {
     return Vector3(patches[i].mean - ball_radii[i] * patches[i].normal);
   };
-  const auto around_centers = winding_number.beside_patches<ConcurrencyTag>(
-    [&](std::size_t i) { return std::array<Vector3, 1>{{center(i)}}; });
+  const std::vector<double> at_centers = winding_number.beside_patches<ConcurrencyTag>(center);
   std::vector<Sample> samples(patches.size());
   parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
     Sample& s = samples[i];
     s.origin = s.position = patches[i].mean;
     s.kernel_radius = options.kernel_ratio * std::max(ball_radii[i], patches[i].spacing / 2);
     // Else the normal points the wrong way: let the projection find the way in.
-    s.inside = confidence[i] >= trusted_orientation && around_centers[i][0] >= least_inside;
+    s.inside = confidence[i] >= trusted_orientation && at_centers[i] >= least_inside;
     if(s.inside)
       s.position = center(i);
   });

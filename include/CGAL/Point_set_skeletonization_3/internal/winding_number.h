@@ -16,7 +16,6 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
-#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -79,25 +78,21 @@ public:
     return result;
   }
 
-  /// At some places for every patch, the array `places(i)`; quick if those of patches next to each
-  /// other are close.
-  template <typename ConcurrencyTag, typename Places>
-  auto beside_patches(const Places& places) const
+  /// At a place for every patch, `place(i)`; quick if those of patches next to each other are close.
+  template <typename ConcurrencyTag, typename Place>
+  std::vector<double> beside_patches(const Place& place) const
   {
     constexpr std::size_t row = 8; // of patches
-    constexpr std::size_t each = std::tuple_size<decltype(places(0))>::value;
     const std::vector<std::size_t>& order = tree_.order();
-    std::vector<std::array<double, each>> result(order.size());
+    std::vector<double> result(order.size());
     parallel_for<ConcurrencyTag>((order.size() + row - 1) / row, [&](std::size_t r) {
       const std::size_t first = r * row, last = order.size() - 1;
-      std::array<Vector3, row * each> all;
-      for(std::size_t k = 0; k < row; ++k) {
-        const auto own = places(order[std::min(first + k, last)]);
-        std::copy(own.begin(), own.end(), all.begin() + k * each);
-      }
-      const auto values = (*this)(all);
+      std::array<Vector3, row> places;
+      for(std::size_t k = 0; k < row; ++k)
+        places[k] = place(order[std::min(first + k, last)]);
+      const std::array<double, row> values = (*this)(places);
       for(std::size_t k = 0; k < row && first + k <= last; ++k)
-        std::copy_n(values.begin() + k * each, each, result[order[first + k]].begin());
+        result[order[first + k]] = values[k];
     });
     return result;
   }
@@ -255,8 +250,8 @@ std::unique_ptr<Winding_number> settle_orientation(std::vector<Patch>& patches,
   // half where they are inside out, and 0 on an open sheet, which has no inside.
   constexpr double inside_out = -0.25;
   const auto on_surface = winding_number->template beside_patches<ConcurrencyTag>(
-    [&](std::size_t i) { return std::array<Vector3, 1>{{patches[i].mean}}; });
-  turn_where([&](std::size_t i) { return on_surface[i][0] < inside_out; });
+    [&](std::size_t i) { return patches[i].mean; });
+  turn_where([&](std::size_t i) { return on_surface[i] < inside_out; });
   turn_where([&](std::size_t i) {
     const Patch& patch = patches[i];
     if(is_like_its_neighbors(patch, patches))
