@@ -31,6 +31,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -92,13 +93,13 @@ Result skeletonize(const Points& points, const Options& options, Progress_bar& b
   });
   result.projection_seconds = seconds_of([&] { return algorithm->project(); });
   result.linking_seconds = seconds_of([&] { return algorithm->link(); });
-  algorithm->extract_skeleton(result.skeleton);
   const auto levels = algorithm->mixture().levels;
   if(!levels.empty()) // the published method projects onto what is left after merging
     result.mixture = options.as_published ? levels.back().size() : levels.front().size();
   result.samples = algorithm->samples().size();
   result.iterations = algorithm->number_of_iterations();
   result.stop_reason = CGAL::to_string(algorithm->stop_reason());
+  std::move(*algorithm).extract_skeleton(result.skeleton);
   return result;
 }
 

@@ -104,8 +104,8 @@ double distance_to_curve(const Skeleton& skeleton, const Vector& p)
 TEST_CASE("A permutation of the points changes the indices only")
 {
   const Points points = cloud();
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
   std::shuffle(order.begin(), order.end(), std::mt19937(18));
   Points shuffled;
   for(std::size_t i : order)
@@ -115,7 +115,7 @@ TEST_CASE("A permutation of the points changes the indices only")
     CAPTURE(published);
     Skeleton after = skeleton_of(shuffled, published);
     for(const auto v : boost::make_iterator_range(vertices(after))) {
-      for(std::size_t& i : after[v].indices)
+      for(auto& i : after[v].indices)
         i = order[i];
       std::sort(after[v].indices.begin(), after[v].indices.end());
     }

@@ -22,6 +22,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -67,9 +69,10 @@ struct Bare_vertex
   double radius = 0;
 };
 
-struct Narrow_vertex : Bare_vertex
+template <typename Index>
+struct Vertex_of_points : Bare_vertex
 {
-  std::vector<std::uint16_t> indices;
+  std::vector<Index> indices;
 };
 
 template <typename Vertex>
@@ -129,7 +132,7 @@ TEST_CASE("An output that is not empty is replaced")
 TEST_CASE("A graph whose vertices have no indices, or narrow ones")
 {
   Graph<Bare_vertex> bare;
-  Graph<Narrow_vertex> narrow;
+  Graph<Vertex_of_points<std::uint16_t>> narrow;
   REQUIRE(CGAL::extract_l1_medial_skeleton(cloud(), bare));
   REQUIRE(CGAL::extract_l1_medial_skeleton(cloud(), narrow));
   Skeleton from_bare(num_vertices(bare)), from_narrow(num_vertices(narrow));
@@ -146,6 +149,25 @@ TEST_CASE("A graph whose vertices have no indices, or narrow ones")
     add_edge(source(e, narrow), target(e, narrow), from_narrow);
   CHECK(have_same_bits(from_bare, expected()));
   CHECK(have_same_bits(from_narrow, expected()));
+}
+
+TEST_CASE("Indices that are too narrow for the points")
+{
+  const auto indices_fit = [](std::size_t size) {
+    const Points points(cloud().begin(), cloud().begin() + static_cast<std::ptrdiff_t>(size));
+    Graph<Vertex_of_points<std::int8_t>> graph(1);
+    graph[0].radius = 7;
+    try {
+      CGAL::extract_l1_medial_skeleton(points, graph);
+    } catch(const std::length_error& error) {
+      CHECK(std::string(error.what()).find("129 points") != std::string::npos);
+      CHECK((num_vertices(graph) == 1 && graph[0].radius == 7));
+      return false;
+    }
+    return true;
+  };
+  CHECK(indices_fit(128));
+  CHECK(!indices_fit(129));
 }
 
 TEST_CASE("Named parameters chain, the package's own in front")

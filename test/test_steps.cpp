@@ -17,6 +17,7 @@
 #include <memory>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -97,6 +98,21 @@ TEST_CASE("Step by step, at once and through the free function is the same")
     CHECK(have_same_bits(extracted(steps), skeleton));
     CHECK(have_same_bits(extracted(whole), skeleton));
   }
+}
+
+TEST_CASE("What is used up gives the skeleton that it would have given, also of a large cloud")
+{
+  // More points than what is kept of them is given back at once.
+  const Points points =
+    shapes::to_points<Kernel>(shapes::sample(shapes::y_junction(), 2'300'000, 42));
+  Skeletonization steps(points);
+  REQUIRE(steps.run());
+  const Skeleton before = extracted(steps), again = extracted(steps);
+  Skeleton last;
+  std::move(steps).extract_skeleton(last);
+  check_valid(last, points.size());
+  CHECK(have_same_bits(before, again));
+  CHECK(have_same_bits(before, last));
 }
 
 TEST_CASE("The published method does a fixed number of iterations")

@@ -147,7 +147,7 @@ Skeleton Cluster_graph::skeleton() const
     auto& bundle = result[vertex[c]];
     bundle.point = Point(clusters_[c].center.x(), clusters_[c].center.y(), clusters_[c].center.z());
     bundle.radius = clusters_[c].radius;
-    bundle.indices = clusters_[c].points;
+    bundle.indices.assign(clusters_[c].points.begin(), clusters_[c].points.end());
     std::sort(bundle.indices.begin(), bundle.indices.end());
     for(const std::size_t b : adjacent_[c])
       if(b < c)

@@ -23,6 +23,7 @@
 #include <iterator>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace {
 
@@ -46,7 +47,7 @@ void skeletonize(const Points& points, Stopwatch& stopwatch)
   stopwatch.stage("projection", [&] { steps->project(); });
   stopwatch.stage("linking", [&] { steps->link(); });
   Graph skeleton;
-  stopwatch.stage("skeleton", [&] { steps->extract_skeleton(skeleton); });
+  stopwatch.stage("skeleton", [&] { std::move(*steps).extract_skeleton(skeleton); });
 }
 
 /// Keeps a result from being optimised away.

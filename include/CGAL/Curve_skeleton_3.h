@@ -6,7 +6,7 @@
 
 #include <boost/graph/adjacency_list.hpp>
 
-#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -22,8 +22,9 @@ struct Curve_skeleton_vertex_3
   typename GeomTraits::FT radius = 0;
 
   /// Positions in the input range, ascending, of the points this vertex stands for.
-  /// Every input point belongs to at most one vertex: outliers belong to none.
-  std::vector<std::size_t> indices;
+  /// Every input point belongs to at most one vertex: outliers belong to none. As wide as an index of
+  /// a `Point_set_3`: of ten million points these are most of the memory that a skeleton takes.
+  std::vector<std::uint32_t> indices;
 };
 
 /// A curve skeleton: an undirected BGL graph with the same layout as

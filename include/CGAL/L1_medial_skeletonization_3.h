@@ -21,6 +21,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -163,15 +164,29 @@ public:
 
   /// Replaces `skeleton` by the result of step 3.
   /// \tparam SkeletonGraph `Skeleton`, or a BGL adjacency list whose vertex bundle has `.point` and
-  ///         `.radius`. It may have `.indices`, a vector of integers; without, or with narrow ones, a
-  ///         large cloud takes far less memory.
+  ///         `.radius`. It may have `.indices`, a vector of integers; without, a large cloud takes
+  ///         less memory.
+  /// \throws std::length_error if the points outnumber the values of an index
   /// \pre `link()` returned `true`
   template <typename SkeletonGraph>
-  void extract_skeleton(SkeletonGraph& skeleton) const
+  void extract_skeleton(SkeletonGraph& skeleton) const&
   {
     CGAL_precondition(steps_done_ == 3);
     namespace internal = Point_set_skeletonization_3::internal;
-    internal::set_public_skeleton<Traits, ConcurrencyTag>(*stages_, normalization_, skeleton);
+    internal::set_public_skeleton<Traits, ConcurrencyTag>(std::as_const(*stages_), normalization_,
+                                                          skeleton);
+  }
+
+  /// The same of an object that is not needed any longer, `std::move(skeletonization)`: what it keeps
+  /// of the points makes room for the indices.
+  /// \post the object can only be destroyed
+  template <typename SkeletonGraph>
+  void extract_skeleton(SkeletonGraph& skeleton) &&
+  {
+    CGAL_precondition(steps_done_ == 3);
+    namespace internal = Point_set_skeletonization_3::internal;
+    const std::unique_ptr<Stages> stages = std::move(stages_);
+    internal::set_public_skeleton<Traits, ConcurrencyTag>(*stages, normalization_, skeleton);
   }
 
 private:

@@ -6,6 +6,8 @@
 
 #include <CGAL/L1_medial_skeletonization_3.h>
 
+#include <utility>
+
 namespace CGAL {
 
 /// Extracts the curve skeleton of a point set: no normals, no mesh and no parameter needed.
@@ -14,8 +16,8 @@ namespace CGAL {
 ///         `Parallel_if_available_tag`; the result is the same, bit for bit
 /// \tparam PointRange a model of `ConstRange`; it is never changed, nor copied by default
 /// \tparam Skeleton `Curve_skeleton_3<Traits>`, or a BGL adjacency list whose vertex bundle has
-///         `.point` and `.radius`. It may have `.indices`, a vector of integers; without, or with
-///         narrow ones, a large cloud takes far less memory.
+///         `.point` and `.radius`. It may have `.indices`, a vector of integers; without, a large
+///         cloud takes less memory.
 /// \tparam NamedParameters a sequence of named parameters
 ///
 /// \param points the points, in any unit and at any offset. None gives an empty skeleton, a single
@@ -49,6 +51,7 @@ namespace CGAL {
 ///
 /// \returns `false` if the callback cancelled
 /// \throws std::invalid_argument if a coordinate is not finite; the message names the point
+/// \throws std::length_error if the points outnumber the values of an index
 template <typename ConcurrencyTag = Sequential_tag, typename PointRange, typename Skeleton,
           typename NamedParameters = parameters::Default_named_parameters>
 bool extract_l1_medial_skeleton(const PointRange& points, Skeleton& skeleton,
@@ -58,7 +61,7 @@ bool extract_l1_medial_skeleton(const PointRange& points, Skeleton& skeleton,
   L1_medial_skeletonization_3<Traits, ConcurrencyTag> skeletonization(points, np);
   if(!skeletonization.run())
     return false;
-  skeletonization.extract_skeleton(skeleton);
+  std::move(skeletonization).extract_skeleton(skeleton);
   return true;
 }
 

@@ -43,6 +43,9 @@ public:
   /// The vertex of the `p`-th point; `none`: an outlier. \pre the last stage is done
   virtual std::size_t vertex_of_point(std::size_t p) const = 0;
 
+  /// May give back memory: the vertices of the points below `end` will not be asked for again.
+  virtual void forget_points_below(std::size_t /* end */) {}
+
   std::vector<Gaussians> mixture; ///< Finest level first.
   std::vector<Sample> samples;
   Projection_outcome outcome;

@@ -126,6 +126,8 @@ public:
     return vertex_of_component_[grid_.cell_of_point[p]];
   }
 
+  void forget_points_below(std::size_t end) override { grid_.cell_of_point.forget_below(end); }
+
 private:
   static constexpr std::size_t number_of_levels = 3; // for who reads the mixture; we read the first
 
@@ -151,6 +153,7 @@ private:
       members[cells.cell_of[k]].push_back(kept[k]);
     }
     Gaussians patches;
+    patches.reserve(cells.size);
     for(const std::vector<std::size_t>& cell : members) {
       Moments moments(clean.positions[cell.front()]);
       for(std::size_t i : cell)

@@ -376,15 +376,46 @@ inline Grid_level coarser_level(const Cubic_grid& grid, const Moment_cells& cell
 /// Parts into which a large cloud is split: there is work for eight threads.
 constexpr std::size_t cloud_parts = 8;
 
+/// The number of a cell for every point, in chunks that can be given back one after the other.
+class Cells_of_points
+{
+public:
+  explicit Cells_of_points(std::size_t size = 0) : size_(size)
+  {
+    for(std::size_t first = 0; first < size; first += chunk_size)
+      chunks_.emplace_back(std::min(chunk_size, size - first));
+  }
+
+  std::size_t size() const { return size_; }
+
+  std::uint16_t& operator[](std::size_t p) { return chunks_[p / chunk_size][p % chunk_size]; }
+  std::uint16_t operator[](std::size_t p) const { return chunks_[p / chunk_size][p % chunk_size]; }
+
+  /// Gives back memory of the points below `end`, which must not be asked for any longer.
+  void forget_below(std::size_t end)
+  {
+    for(std::size_t c = 0; c < end / chunk_size; ++c)
+      chunks_[c] = std::vector<std::uint16_t>();
+  }
+
+private:
+  // 2 MiB: more than what came and went before, so that it goes back to the system at once and does
+  // not stay as a gap between other things.
+  static constexpr std::size_t chunk_size = 1 << 20;
+
+  std::size_t size_;
+  std::vector<std::vector<std::uint16_t>> chunks_;
+};
+
 /// Adds the points to the cells of `level`, and tells the cell of every point.
 template <typename ConcurrencyTag>
-std::vector<std::uint16_t> add_points(const Point_blocks& points, Grid_level& level)
+Cells_of_points add_points(const Point_blocks& points, Grid_level& level)
 {
   // The moments of parts are added up in order: the bits do not depend on the number of threads.
   constexpr std::size_t worth_a_part = 1 << 15; // several times as many points as cells
   std::vector<std::vector<Cell_moments>> parts(
     std::min(cloud_parts, 1 + points.size() / worth_a_part));
-  std::vector<std::uint16_t> cell_of_point(points.size());
+  Cells_of_points cell_of_point(points.size());
   const Cell_of_point cell_of(level.grid);
   parallel_for<ConcurrencyTag>(parts.size(), [&](std::size_t k) {
     parts[k].resize(level.cells.size());
@@ -409,7 +440,7 @@ struct Grid_mixture
   std::vector<Grid_level> levels;
 
   /// The cell of every point in the first level; empty of points that were streamed.
-  std::vector<std::uint16_t> cell_of_point;
+  Cells_of_points cell_of_point;
 
   void add_coarser_levels(std::size_t number_of_levels)
   {

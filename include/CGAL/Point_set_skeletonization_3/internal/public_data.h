@@ -15,6 +15,10 @@
 #include <boost/graph/adjacency_list.hpp>
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -82,39 +86,55 @@ struct Indices_of<Graph, std::void_t<decltype(boost::vertex_bundle_type<Graph>::
 };
 
 /// The points of every vertex, ascending. Of ten million points they are most of the memory: no more
-/// of it than they need.
-template <typename ConcurrencyTag, typename Indices>
-std::vector<Indices> points_of_vertices(const Skeletonization_stages& stages)
+/// of it than they need, and what `stages` keep of points that are done is forgotten, unless `const`.
+/// \throws std::length_error if the points outnumber the values of an index
+template <typename ConcurrencyTag, typename Indices, typename Stages>
+std::vector<Indices> points_of_vertices(Stages& stages)
 {
+  using Index = typename Indices::value_type;
   const std::size_t points = stages.number_of_points(), vertices = stages.graph.vertices.size();
-  constexpr std::size_t parts = 8; // of the points: there is work for so many threads
+  constexpr auto greatest = static_cast<std::uintmax_t>(std::numeric_limits<Index>::max());
+  if(points > 0 && points - 1 > greatest)
+    throw std::length_error("indices of " + std::to_string(points) +
+                            " points do not fit into those of the skeleton's vertices, of which the "
+                            "greatest is " + std::to_string(greatest) + "; use a wider type");
+  // The points are split into rounds, and these into parts: there is work for so many threads.
+  constexpr std::size_t rounds = 8, parts = 8;
+  const auto first = [&](std::size_t part) { return part * points / (rounds * parts); };
   const auto for_each_point = [&](std::size_t part, const auto& visit) {
-    for(std::size_t p = part * points / parts; p < (part + 1) * points / parts; ++p)
+    for(std::size_t p = first(part); p < first(part + 1); ++p)
       if(const std::size_t v = stages.vertex_of_point(p); v != Skeletonization_stages::none)
         visit(p, v);
   };
-  std::vector<std::vector<std::size_t>> place(parts, std::vector<std::size_t>(vertices, 0));
-  parallel_for<ConcurrencyTag>(parts, [&](std::size_t part) { // number of points, at first
+  // Where the next point of a part goes in the list of a vertex; at first the number of its points.
+  std::vector<std::vector<std::size_t>> place(rounds * parts + 1,
+                                              std::vector<std::size_t>(vertices, 0));
+  parallel_for<ConcurrencyTag>(rounds * parts, [&](std::size_t part) {
     for_each_point(part, [&](std::size_t, std::size_t v) { ++place[part][v]; });
   });
   std::vector<Indices> result(vertices);
-  parallel_for<ConcurrencyTag>(vertices, [&](std::size_t v) {
+  for(std::size_t v = 0; v < vertices; ++v) {
     std::size_t size = 0;
     for(std::vector<std::size_t>& part : place)
       size += std::exchange(part[v], size);
-    result[v].resize(size);
-  });
-  parallel_for<ConcurrencyTag>(parts, [&](std::size_t part) {
-    for_each_point(part, [&](std::size_t p, std::size_t v) {
-      result[v][place[part][v]++] = static_cast<typename Indices::value_type>(p);
+    result[v].reserve(size);
+  }
+  for(std::size_t begin = 0, end = parts; end < place.size(); begin = end, end += parts) {
+    parallel_for<ConcurrencyTag>(vertices, [&](std::size_t v) { result[v].resize(place[end][v]); });
+    parallel_for<ConcurrencyTag>(parts, [&](std::size_t k) {
+      for_each_point(begin + k, [&](std::size_t p, std::size_t v) {
+        result[v][place[begin + k][v]++] = static_cast<Index>(p);
+      });
     });
-  });
+    if constexpr(!std::is_const<Stages>::value)
+      stages.forget_points_below(first(end));
+  }
   return result;
 }
 
-/// Replaces `skeleton` by the result of the last stage.
-template <typename GeomTraits, typename ConcurrencyTag, typename SkeletonGraph>
-void set_public_skeleton(const Skeletonization_stages& stages, const Normalization& normalization,
+/// Replaces `skeleton` by the result of the last stage. `stages` that are not `const` are used up.
+template <typename GeomTraits, typename ConcurrencyTag, typename Stages, typename SkeletonGraph>
+void set_public_skeleton(Stages& stages, const Normalization& normalization,
                          SkeletonGraph& skeleton)
 {
   const Skeleton_graph& graph = stages.graph;
