@@ -137,9 +137,9 @@ public:
     return fit;
   }
 
-private:
-  static constexpr double reach = 1.5; // where the window has fallen to 1 %
+  static constexpr double reach = 1.5; ///< In radii: where the window has fallen to 1 %.
 
+private:
   /// Weight, first moments, and the upper triangle of the second ones, about the origin.
   using Moment_vector = Eigen::Matrix<double, 10, 1>;
 
@@ -233,14 +233,27 @@ public:
     drop_isolated();
     measure_noise();
     result_.noise = strength_;
-    constexpr int passes = 4; // the first halves the noise, the last finds nothing to do
-    for(int pass = 0; pass < passes; ++pass) {
-      if(strength_ > 0)
-        move();
-      else
-        measure_densities(pass == 0);
-      if(!drop_thin() && !(strength_ > 0)) // nothing has changed
+    constexpr int most_passes = 4; // the first halves the noise, the last finds nothing to do
+    // If four passes together are half a step, a window shows the same in all of them.
+    constexpr double little = 0.5;
+    if(strength_ > 0) {
+      const int passes = most_passes * strength_ < little ? 1 : most_passes;
+      for(int pass = 0; pass < passes; ++pass) {
+        move(most_passes * strength_ / passes);
+        drop_thin();
+      }
+      return result_;
+    }
+    for(std::size_t i = 0; i < density_.size(); ++i)
+      if(size_for(i) > 0) // known in the narrowest window only
+        density_[i] = unknown;
+    for(int pass = 0; pass < most_passes; ++pass) {
+      measure_densities();
+      const std::vector<std::size_t> dropped = drop_thin();
+      if(dropped.empty())
         break;
+      for(std::size_t i : dropped)
+        forget_densities_around(i);
     }
     return result_;
   }
@@ -267,6 +280,7 @@ private:
   }
 
   static constexpr std::size_t sizes = 6;
+  static constexpr double unknown = -1; // density
 
   /// Radius of a window size: from two spacings, the narrowest with a plane in it, by steps of 1.4.
   double radius(std::size_t size) const
@@ -281,6 +295,7 @@ private:
       return finest_;
     Gaussians components;
     std::vector<std::size_t> kept;
+    components.reserve(mixture_.size());
     for(std::size_t i = 0; i < mixture_.size(); ++i)
       if(!result_.outlier[i]) {
         components.push_back({mixture_[i].weight, result_.positions[i], mixture_[i].covariance});
@@ -473,20 +488,36 @@ private:
     return result;
   }
 
-  /// Without noise this is all there is to do. At first `measure_noise()` has done it in the narrowest.
-  void measure_densities(bool narrowest_known)
+  /// Without noise this is all there is to do, for what is not known from `measure_noise()` or from
+  /// the pass before.
+  void measure_densities()
   {
     const std::vector<std::size_t> size = window_sizes();
     for(std::size_t i = 0; i < mixture_.size(); ++i)
       if(result_.outlier[i])
         density_[i] = 0;
     for_each_kept([&](std::size_t i, Views& views) {
-      if(!narrowest_known || size[i] > 0)
+      if(density_[i] == unknown)
         density_[i] = views[size[i]].density(result_.positions[i]);
     });
   }
 
-  void move()
+  /// Forgets the densities at all places that have seen a component, which is dropped.
+  void forget_densities_around(std::size_t component)
+  {
+    // In windows of coarser components it is part of one up to a cell away.
+    constexpr double sight = Window_view::reach + 0.6; // in radii: the diagonal of 1/3
+    const Box_tree& tree = finest()->tree;
+    tree.visit_within(result_.positions[component], sight * radius(sizes - 1),
+                      [&](std::size_t k, double squared_distance) {
+                        const double far = sight * radius(size_for(kept_[k]));
+                        if(squared_distance < far * far)
+                          density_[kept_[k]] = unknown;
+                      });
+  }
+
+  /// Moves components by a share of their way to the surface.
+  void move(double share)
   {
     const std::vector<std::size_t> size = window_sizes();
     density_.assign(mixture_.size(), 0);
@@ -498,14 +529,14 @@ private:
       const Vector3 step = fit.mean - position;
       // Along a twig nothing moves, or its points would gather in lumps.
       const Vector3 across = step - fit.elongation * fit.axis.dot(step) * fit.axis;
-      position += strength_ * ((1 - blob) * fit.normal.dot(step) * fit.normal +
+      position += share * ((1 - blob) * fit.normal.dot(step) * fit.normal +
                                blob * drowned(fit) * across);
     });
     forget_windows();
   }
 
-  /// A thin cloud beside a dense surface is the tail of its noise. False if there is none.
-  bool drop_thin()
+  /// A thin cloud beside a dense surface is the tail of its noise. Returns what is dropped.
+  std::vector<std::size_t> drop_thin()
   {
     constexpr double apart = 1.5;
     constexpr double thin = 0.3; // Gaussian noise at 1.6 standard deviations
@@ -537,20 +568,22 @@ private:
             drop[i] = true;
       });
     });
-    bool any = false;
+    std::vector<std::size_t> dropped;
     for(std::size_t i = 0; i < mixture_.size(); ++i)
-      if(drop[i])
-        any = result_.outlier[i] = true;
-    if(any)
+      if(drop[i]) {
+        result_.outlier[i] = true;
+        dropped.push_back(i);
+      }
+    if(!dropped.empty())
       forget_windows();
-    return any;
+    return dropped;
   }
 
   const Gaussians& mixture_;
   const Neighborhoods& nearest_;
   std::vector<double> spacings_;
   double spacing_;
-  std::vector<double> density_;
+  std::vector<double> density_; ///< Of every component, in its window; may be `unknown`.
   std::size_t size_ = 0;
   double strength_ = 0;
   std::vector<std::size_t> kept_; ///< The components of `finest_`, in its order.
