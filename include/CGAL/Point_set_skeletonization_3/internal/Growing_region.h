@@ -120,7 +120,12 @@ public:
       , label_(patches.size(), outside)
       , squared_distance_(patches.size())
       , nearest_(patches.size())
-  {}
+  {
+    for(const Patch& patch : patches)
+      means_.push_back(patch.mean);
+    for(const Sample& sample : samples)
+      positions_.push_back(sample.position);
+  }
 
   /// What a region ended with.
   struct Result
@@ -161,8 +166,9 @@ public:
         break;
       }
     }
+    const double same = same_place * radius;
     for(std::size_t i : region_)
-      if(label_[i] != on_separator && (samples_[i].position - center_).norm() < same_place * radius)
+      if(label_[i] != on_separator && (positions_[i] - center_).squaredNorm() < same * same)
         result.same.push_back(i);
     clear();
     return result;
@@ -188,6 +194,12 @@ private:
 
   enum Label : char { outside, region, front, part_of_front, between, on_separator, beside };
 
+  /// `to` if `condition`, else `label`; without a branch, as above, whatever a compiler thinks best.
+  static Label changed_if(bool condition, Label label, Label to)
+  {
+    return static_cast<Label>(label ^ ((label ^ to) & -static_cast<int>(condition)));
+  }
+
   void add_neighbors_to_front(std::size_t i)
   {
     const std::size_t first = front_.size();
@@ -195,10 +207,10 @@ private:
       Label& label = label_[edge.patch];
       const bool is_new = label == outside;
       front_.push_back_if(is_new, edge.patch);
-      label = is_new ? front : label;
+      label = changed_if(is_new, label, front);
     }
     for(std::size_t k = first; k < front_.size(); ++k)
-      squared_distance_[front_[k]] = (patches_[front_[k]].mean - center_).squaredNorm();
+      squared_distance_[front_[k]] = (means_[front_[k]] - center_).squaredNorm();
   }
 
   /// Moves what the ball holds from the front into the region, and what is next to that into the
@@ -244,7 +256,7 @@ private:
     const auto add = [&](std::size_t i) {
       const bool is_new = label_[i] == front;
       found_.push_back_if(is_new, i);
-      label_[i] = is_new ? part_of_front : label_[i];
+      label_[i] = changed_if(is_new, label_[i], part_of_front);
     };
     for(std::size_t start : front_) {
       if(label_[start] != front)
@@ -356,6 +368,9 @@ private:
   Patch_list region_; ///< The seed first.
   Patch_list front_;
   Patch_list found_; ///< In `connected_parts()`.
+
+  // Of every patch and its sample, as they are read most often: those in a row are in the cache.
+  std::vector<Vector3> means_, positions_;
 
   // Of every patch; as at the beginning wherever no region is.
   std::vector<Label> label_;

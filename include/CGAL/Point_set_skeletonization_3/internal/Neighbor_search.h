@@ -110,6 +110,7 @@ public:
       return;
     K_search search(tree_, to_point(center), static_cast<unsigned int>(k), 0, true,
                     Distance(Index_point_map{&points_}));
+    result.reserve(std::min(k, points_.size()));
     for(const auto& found : search)
       result.push_back({found.second, found.first});
     std::sort(result.begin(), result.end());

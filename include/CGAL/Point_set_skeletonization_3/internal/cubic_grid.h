@@ -221,10 +221,13 @@ public:
     std::vector<std::uint64_t> result;
     result.reserve(size_);
     for_each_block([&](const Grid_cell& block, std::uint64_t cells) {
-      for(int place = 0; cells != 0; ++place, cells >>= 1)
+      for(int place = 0; cells != 0; ++place, cells >>= 1) {
+        for(; (cells & 0xFF) == 0; place += 8) // few are occupied
+          cells >>= 8;
         if((cells & 1) != 0)
           result.push_back(packed({{4 * block[0] + (place >> 4), 4 * block[1] + (place >> 2 & 3),
                                     4 * block[2] + (place & 3)}}));
+      }
     });
     return result;
   }

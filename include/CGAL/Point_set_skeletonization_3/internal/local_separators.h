@@ -4,8 +4,8 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_LOCAL_SEPARATORS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_LOCAL_SEPARATORS_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Growing_region.h>
-#include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Per_thread.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Way_around.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
@@ -30,18 +30,16 @@ std::vector<std::size_t> separator_seeds(const std::vector<Sample>& samples)
 {
   // Regions grown from places closer than this share of their radius would be the same.
   constexpr double same_place = 0.15;
-  const Neighbor_search places(
+  const Box_tree places(
     samples.size(), [&](std::size_t i) { return samples[i].position; }, ConcurrencyTag());
   std::vector<bool> tried(samples.size(), false);
   std::vector<std::size_t> seeds;
-  std::vector<std::size_t> near;
   for(std::size_t seed = 0; seed < samples.size(); ++seed) {
     if(tried[seed])
       continue;
     seeds.push_back(seed);
-    places.within(samples[seed].position, same_place * samples[seed].radius, near);
-    for(std::size_t i : near)
-      tried[i] = true;
+    places.visit_within(samples[seed].position, same_place * samples[seed].radius,
+                        [&](std::size_t k, double) { tried[places.order()[k]] = true; });
   }
   return seeds;
 }

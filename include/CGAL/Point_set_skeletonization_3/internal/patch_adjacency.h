@@ -118,6 +118,7 @@ std::vector<Patch> surface_patches(const Gaussians& gaussians, const Neighborhoo
   });
 
   parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
+    patches[i].neighbors.reserve(2 * nearest[i].size()); // hardly ever more are added below
     for(const auto& neighbor : nearest[i]) {
       const std::size_t j = neighbor.index;
       const double reach = adjacency_reach * std::min(patches[i].spacing, patches[j].spacing);
