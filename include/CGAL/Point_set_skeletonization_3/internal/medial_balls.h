@@ -27,6 +27,9 @@ namespace internal {
 constexpr double facing_normals = -0.3;
 
 /// The balls between the patches whose orientation can be trusted.
+///
+/// Patches next to each other are asked for together, in single precision and without a branch: what
+/// touches their balls is much the same, and the balls are filtered afterwards.
 class Facing_balls
 {
 public:
@@ -40,10 +43,13 @@ public:
         return patches[i].normal;
       return Vector3::Zero(); // which faces nothing
     };
-    normal_boxes_ = tree.boxes_of(normal);
-    normals_.reserve(patches.size());
+    for(const Box& box : tree.boxes())
+      boxes_.emplace_back(box);
+    for(const Box& box : tree.boxes_of(normal))
+      normal_boxes_.emplace_back(box);
+    sides_.reserve(patches.size());
     for(std::size_t i : tree.order())
-      normals_.push_back(normal(i));
+      sides_.push_back({patches[i].mean.cast<float>(), normal(i).cast<float>()});
   }
 
   /// Radii of the balls that touch a patch from inside and a patch that faces it: of the three
@@ -51,77 +57,129 @@ public:
   template <typename ConcurrencyTag>
   std::vector<double> radii() const
   {
-    std::vector<double> result(normals_.size(), 0);
-    constexpr std::size_t row = 128; // of patches next to each other, which touch much the same ones
-    parallel_for<ConcurrencyTag>((normals_.size() + row - 1) / row, [&](std::size_t r) {
-      std::array<Touches, row> smallest;
-      const std::size_t begin = r * row, end = std::min(normals_.size(), begin + row);
-      for(std::size_t k = begin; k < end; ++k) {
-        if(normals_[k].isZero(0))
-          continue;
-        Touches& touches = smallest[k - begin];
-        // What touches the balls of a patch nearby on the same side bounds them from the start.
-        for(std::size_t other = k; other-- > begin && !(touches[2].radius < infinity);)
-          for(const Touch& touch : smallest[other - begin])
-            add(k, touch.patch, touches);
-        find_smallest(k, touches);
-        if(touches[2].radius < infinity)
-          result[tree_.order()[k]] = touches[2].radius;
+    std::vector<double> result(sides_.size(), 0);
+    constexpr std::size_t rows = 16; // of the patches of a task
+    constexpr std::size_t task = rows * row;
+    parallel_for<ConcurrencyTag>((sides_.size() + task - 1) / task, [&](std::size_t t) {
+      std::vector<Leaf> touched;
+      const std::size_t end = std::min(sides_.size(), (t + 1) * task);
+      for(std::size_t first = t * task; first < end; first += row) {
+        Row_of_balls balls(sides_, first);
+        find_smallest(balls, touched);
+        for(std::size_t k = 0; k < row && first + k < end; ++k)
+          if(const float curvature = balls.third[static_cast<Eigen::Index>(k)]; curvature > 0)
+            result[tree_.order()[first + k]] = 1 / static_cast<double>(curvature);
       }
     });
     return result;
   }
 
 private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t row = 8; // two or four registers
+  using Values = Eigen::Array<float, row, 1>;
+  using Leaf = std::pair<std::size_t, std::size_t>; ///< Begin and end of its patches.
 
-  /// A patch that a ball touches.
-  struct Touch
+  /// What there is to know of a patch.
+  struct Side
   {
-    double radius = infinity;
-    std::size_t patch = none;
+    Eigen::Vector3f mean;
+    Eigen::Vector3f normal; ///< 0 if not to be trusted.
   };
-  using Touches = std::array<Touch, 3>; ///< Those of three balls, the smallest first.
 
-  /// Adds to the smallest balls of a patch the one that touches another one, if it is among them.
-  void add(std::size_t patch, std::size_t other, Touches& smallest) const
+  struct Float_box
   {
-    if(other == none || normals_[other].dot(normals_[patch]) > facing_normals)
-      return;
-    const Vector3 d = tree_.positions()[other] - tree_.positions()[patch];
-    const double depth = -normals_[patch].dot(d);
-    const Touch touch{depth > 0 ? d.squaredNorm() / (2 * depth) : infinity, other};
-    if(!(touch.radius < smallest[2].radius) || smallest[0].patch == other ||
-       smallest[1].patch == other || smallest[2].patch == other)
-      return;
-    smallest[2] = touch;
-    for(std::size_t i = 2; i > 0 && smallest[i].radius < smallest[i - 1].radius; --i)
-      std::swap(smallest[i], smallest[i - 1]);
-  }
+    explicit Float_box(const Box& box) : lower(box.lower.cast<float>()), upper(box.upper.cast<float>())
+    {}
 
-  /// Finds the smallest balls of a patch; `smallest` are some of its balls at first.
-  void find_smallest(std::size_t patch, Touches& smallest) const
+    Eigen::Vector3f lower, upper;
+  };
+
+  /// The smallest balls of patches next to each other.
+  struct Row_of_balls
   {
-    const Vector3 &mean = tree_.positions()[patch], &normal = normals_[patch];
-    const auto may_touch = [&](std::size_t node) {
-      if(normal_boxes_[node].least(normal) > facing_normals)
-        return false;
+    Row_of_balls(const std::vector<Side>& sides, std::size_t begin)
+    {
+      for(std::size_t k = 0; k < row; ++k) {
+        const Side& side = sides[std::min(begin + k, sides.size() - 1)];
+        mean.row(static_cast<Eigen::Index>(k)) = side.mean.transpose();
+        normal.row(static_cast<Eigen::Index>(k)) = side.normal.transpose();
+      }
+    }
+
+    /// Adds the balls that touch another patch; whether they are among the smallest of any.
+    void add(const Side& other)
+    {
+      const Values x = other.mean.x() - mean.col(0), y = other.mean.y() - mean.col(1),
+                   z = other.mean.z() - mean.col(2);
+      const Values cosine = other.normal.x() * normal.col(0) + other.normal.y() * normal.col(1) +
+                            other.normal.z() * normal.col(2);
+      const Values depth = -(x * normal.col(0) + y * normal.col(1) + z * normal.col(2));
+      // Whether they face each other, 0 or 1.
+      const Values facing =
+        ((static_cast<float>(facing_normals) - cosine) * std::numeric_limits<float>::max())
+          .max(0).min(1);
+      const Values curvature = (2 * facing * depth / (x * x + y * y + z * z).max(least)).max(0);
+      const Values first_rest = curvature.min(first), second_rest = first_rest.min(second);
+      first = first.max(curvature);
+      second = second.max(first_rest);
+      third = third.max(second_rest);
+    }
+
+    /// Whether there may be a patch in a box, with its normal in another box, that touches a ball
+    /// among the smallest of any.
+    bool may_touch(const Float_box& box, const Float_box& normals) const
+    {
+      const Values cosine = (normal.col(0) * normals.lower.x()).min(normal.col(0) * normals.upper.x()) +
+                            (normal.col(1) * normals.lower.y()).min(normal.col(1) * normals.upper.y()) +
+                            (normal.col(2) * normals.lower.z()).min(normal.col(2) * normals.upper.z());
       // Of the points of the box the one with the least power to the largest ball.
-      const Box& box = tree_.boxes()[node];
-      const double radius = std::min(smallest[2].radius, std::numeric_limits<double>::max());
-      const Vector3 d = (-radius * normal).cwiseMax(box.lower - mean).cwiseMin(box.upper - mean);
-      return d.dot(d / radius + 2 * normal) < 0;
+      const Values radius = 1 / third.max(least);
+      const auto offset = [&](Eigen::Index axis) -> Values {
+        return (-radius * normal.col(axis))
+          .max(box.lower[axis] - mean.col(axis))
+          .min(box.upper[axis] - mean.col(axis));
+      };
+      const Values x = offset(0), y = offset(1), z = offset(2);
+      const Values power = x * (third * x + 2 * normal.col(0)) + y * (third * y + 2 * normal.col(1)) +
+                           z * (third * z + 2 * normal.col(2));
+      return (cosine - static_cast<float>(facing_normals)).max(power).minCoeff() < 0;
+    }
+
+    static constexpr float least = 1e-20f; // instead of 0
+
+    Eigen::Array<float, row, 3> mean, normal;
+    // Of the three smallest, the smallest first; 0: there is none.
+    Values first = Values::Zero(), second = Values::Zero(), third = Values::Zero();
+  };
+
+  /// Finds the smallest balls of a row. Begins with the leaves that those of the row before touch, and
+  /// leaves behind which ones they do.
+  void find_smallest(Row_of_balls& balls, std::vector<Leaf>& touched) const
+  {
+    constexpr std::size_t most = 8; // leaves, all around a limb
+    const std::vector<Leaf> likely = std::exchange(touched, {});
+    const auto look_at = [&](const Leaf& leaf) {
+      const Values before = balls.third;
+      for(std::size_t other = leaf.first; other < leaf.second; ++other)
+        balls.add(sides_[other]);
+      if((balls.third - before).maxCoeff() > 0)
+        touched.push_back(leaf);
     };
-    tree_.visit_leaves(may_touch, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t other = begin; other < end; ++other)
-        add(patch, other, smallest);
-    });
+    std::for_each(likely.begin(), likely.end(), look_at);
+    tree_.visit_leaves(
+      [&](std::size_t node) { return balls.may_touch(boxes_[node], normal_boxes_[node]); },
+      [&](std::size_t begin, std::size_t end) {
+        const Leaf leaf(begin, end);
+        if(std::find(likely.begin(), likely.end(), leaf) == likely.end())
+          look_at(leaf);
+      });
+    if(touched.size() > most) // the balls were smaller when the last ones were found
+      touched.erase(touched.begin(), touched.end() - most);
   }
 
   const Box_tree& tree_;
-  std::vector<Box> normal_boxes_; ///< Of every node of the tree.
-  std::vector<Vector3> normals_;  ///< In the order of the tree; 0 if not to be trusted.
+  std::vector<Float_box> boxes_, normal_boxes_; ///< Of every node of the tree.
+  std::vector<Side> sides_;                     ///< In the order of the tree.
 };
 
 /// The median of a dozen values, by counting for every one how many are less: in a row that is faster
