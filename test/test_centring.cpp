@@ -47,9 +47,9 @@ Axis bent(double radius)
   };
 }
 
-bool anywhere(const Vector3&)
+std::vector<bool> anywhere(const std::vector<Vector3>& places)
 {
-  return true;
+  return std::vector<bool>(places.size(), true);
 }
 
 struct Limb
@@ -331,7 +331,12 @@ TEST_CASE("Nothing is drawn out of the shape")
                          [](const auto& vertex) { return vertex.position.x() < wall; });
   };
   centre_skeleton<CGAL::Sequential_tag>(limb.graph, limb.surface, spacing,
-                                        [](const Vector3& p) { return p.x() > wall; });
+                                        [](const std::vector<Vector3>& places) {
+                                          std::vector<bool> inside;
+                                          for(const Vector3& p : places)
+                                            inside.push_back(p.x() > wall);
+                                          return inside;
+                                        });
   CHECK(outside() == 0);
   limb.centre();
   CHECK(outside() > 0);

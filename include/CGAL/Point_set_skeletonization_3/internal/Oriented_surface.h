@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Visible_patches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/oriented_mixture.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
@@ -41,6 +42,7 @@ public:
     winding_number = settle_orientation<ConcurrencyTag>(patches, tree);
     confidence = orientation_confidence<ConcurrencyTag>(patches);
     part_facing_patches<ConcurrencyTag>(patches, confidence);
+    visible = std::make_unique<Visible_patches>(patches, confidence, tree);
 
     // A patch of a few points is thinner than the surface is known; a tenth of the spacing is not.
     const Matrix3 blur = 0.01 * spacing * spacing * Matrix3::Identity();
@@ -60,6 +62,7 @@ public:
   Box_tree tree; ///< Over the patches.
   std::vector<double> confidence;
   std::unique_ptr<Winding_number> winding_number;
+  std::unique_ptr<Visible_patches> visible;
   std::vector<Oriented_gaussian> components; ///< Of the mixture, one for every patch.
 };
 

@@ -4,11 +4,11 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SKELETON_FITTING_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SKELETON_FITTING_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Oriented_surface.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/bridging.h>
-#include <CGAL/Point_set_skeletonization_3/internal/medial_projection.h>
+#include <CGAL/Point_set_skeletonization_3/internal/nearest_points.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/quantile.h>
 #include <CGAL/Point_set_skeletonization_3/internal/samples.h>
@@ -60,13 +60,15 @@ public:
   /// The vertex nearest to every sample; `none` for outliers.
   std::vector<std::size_t> vertices_of_samples() const
   {
-    const Neighbor_search search(graph_.vertices.size(),
-                                 [&](std::size_t v) { return graph_.vertices[v].position; });
+    const std::vector<std::size_t>& order = surface_.tree.order(); // samples in a row are close
+    const Box_tree tree(graph_.vertices.size(),
+                        [&](std::size_t v) { return graph_.vertices[v].position; });
+    const std::vector<std::size_t> nearest = nearest_points<ConcurrencyTag>(
+      tree, order.size(), [&](std::size_t k) { return samples_[order[k]].position; });
     std::vector<std::size_t> result(samples_.size(), none);
-    parallel_for<ConcurrencyTag>(samples_.size(), [&](std::size_t i) {
-      if(!points_of_sample_[i].empty())
-        result[i] = search.nearest(samples_[i].position).index;
-    });
+    for(std::size_t k = 0; k < order.size(); ++k)
+      if(!points_of_sample_[order[k]].empty())
+        result[order[k]] = nearest[k];
     return result;
   }
 
@@ -95,7 +97,7 @@ private:
   {
     measure_radii();
     centre_skeleton<ConcurrencyTag>(graph_, points_of_vertices(), surface_.spacing,
-                                    [this](const Vector3& q) { return is_inside(q); });
+                                    [this](const auto& places) { return are_inside(places); });
   }
 
   void extend()
@@ -114,14 +116,23 @@ private:
     return (*surface_.winding_number)(q) >= least_inside - noise_;
   }
 
+  std::vector<bool> are_inside(const std::vector<Vector3>& places) const
+  {
+    std::vector<bool> result;
+    for(double value : surface_.winding_number->template at_places<ConcurrencyTag>(
+          places.size(), [&](std::size_t k) { return places[k]; }))
+      result.push_back(value >= least_inside - noise_);
+    return result;
+  }
+
   /// The radius of every vertex: how far the surface is that it sees.
   void measure_radii()
   {
-    parallel_for<ConcurrencyTag>(graph_.vertices.size(), [&](std::size_t v) {
-      const double radius = visible_distance(graph_.vertices[v].position, surface_);
-      if(radius > 0)
-        graph_.vertices[v].radius = radius;
-    });
+    const std::vector<double> radii = surface_.visible->template distances<ConcurrencyTag>(
+      graph_.vertices.size(), [&](std::size_t v) { return graph_.vertices[v].position; });
+    for(std::size_t v = 0; v < radii.size(); ++v)
+      if(radii[v] > 0)
+        graph_.vertices[v].radius = radii[v];
   }
 
   /// In noise some patch is always nearer than the surface, and none is left around a limb that has

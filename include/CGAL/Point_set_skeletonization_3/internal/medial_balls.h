@@ -6,11 +6,11 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Per_thread.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Row_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_orientation.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -27,29 +27,23 @@ namespace internal {
 constexpr double facing_normals = -0.3;
 
 /// The balls between the patches whose orientation can be trusted.
-///
-/// Patches next to each other are asked for together, in single precision and without a branch: what
-/// touches their balls is much the same, and the balls are filtered afterwards.
 class Facing_balls
 {
 public:
   /// `tree` is over the patches; it has to stay.
   Facing_balls(const std::vector<Patch>& patches, const std::vector<double>& confidence,
                const Box_tree& tree)
-    : tree_(tree)
+    : order_(tree.order()), tree_(tree)
   {
     const auto normal = [&](std::size_t i) -> Vector3 {
       if(confidence[i] >= trusted_orientation)
         return patches[i].normal;
       return Vector3::Zero(); // which faces nothing
     };
-    for(const Box& box : tree.boxes())
-      boxes_.emplace_back(box);
     for(const Box& box : tree.boxes_of(normal))
-      normal_boxes_.emplace_back(box);
-    sides_.reserve(patches.size());
+      normal_boxes_.push_back({box.lower.cast<float>(), box.upper.cast<float>()});
     for(std::size_t i : tree.order())
-      sides_.push_back({patches[i].mean.cast<float>(), normal(i).cast<float>()});
+      normals_.push_back(normal(i).cast<float>());
   }
 
   /// Radii of the balls that touch a patch from inside and a patch that faces it: of the three
@@ -57,129 +51,118 @@ public:
   template <typename ConcurrencyTag>
   std::vector<double> radii() const
   {
-    std::vector<double> result(sides_.size(), 0);
-    constexpr std::size_t rows = 16; // of the patches of a task
-    constexpr std::size_t task = rows * row;
-    parallel_for<ConcurrencyTag>((sides_.size() + task - 1) / task, [&](std::size_t t) {
-      std::vector<Leaf> touched;
-      const std::size_t end = std::min(sides_.size(), (t + 1) * task);
-      for(std::size_t first = t * task; first < end; first += row) {
-        Row_of_balls balls(sides_, first);
+    std::vector<double> result(order_.size(), 0);
+    constexpr std::size_t task_size = 16 * row_size; // of patches next to each other
+    const std::size_t tasks = (order_.size() + task_size - 1) / task_size;
+    parallel_for<ConcurrencyTag>(tasks, [&](std::size_t task) {
+      Leaves touched;
+      const std::size_t end = std::min(order_.size(), (task + 1) * task_size);
+      for(std::size_t first = task * task_size; first < end; first += row_size) {
+        Row balls(*this, first);
         find_smallest(balls, touched);
-        for(std::size_t k = 0; k < row && first + k < end; ++k)
-          if(const float curvature = balls.third[static_cast<Eigen::Index>(k)]; curvature > 0)
-            result[tree_.order()[first + k]] = 1 / static_cast<double>(curvature);
+        for(std::size_t k = 0; k < row_size && first + k < end; ++k)
+          result[order_[first + k]] = balls.radius(k);
       }
     });
     return result;
   }
 
 private:
-  static constexpr std::size_t row = 8; // two or four registers
-  using Values = Eigen::Array<float, row, 1>;
-  using Leaf = std::pair<std::size_t, std::size_t>; ///< Begin and end of its patches.
-
-  /// What there is to know of a patch.
-  struct Side
-  {
-    Eigen::Vector3f mean;
-    Eigen::Vector3f normal; ///< 0 if not to be trusted.
-  };
-
-  struct Float_box
-  {
-    explicit Float_box(const Box& box) : lower(box.lower.cast<float>()), upper(box.upper.cast<float>())
-    {}
-
-    Eigen::Vector3f lower, upper;
-  };
+  /// Begin and end of the patches of leaves.
+  using Leaves = std::vector<std::pair<std::size_t, std::size_t>>;
 
   /// The smallest balls of patches next to each other.
-  struct Row_of_balls
+  class Row
   {
-    Row_of_balls(const std::vector<Side>& sides, std::size_t begin)
+  public:
+    Row(const Facing_balls& all, std::size_t first)
+      : all_(all),
+        mean_([&](std::size_t k) { return all.tree_.positions()[all.bounded(first + k)]; }),
+        normal_([&](std::size_t k) { return all.normals_[all.bounded(first + k)]; })
+    {}
+
+    /// That of the third smallest.
+    double radius(std::size_t k) const
     {
-      for(std::size_t k = 0; k < row; ++k) {
-        const Side& side = sides[std::min(begin + k, sides.size() - 1)];
-        mean.row(static_cast<Eigen::Index>(k)) = side.mean.transpose();
-        normal.row(static_cast<Eigen::Index>(k)) = side.normal.transpose();
-      }
+      const auto curvature = static_cast<double>(third_[static_cast<Eigen::Index>(k)]);
+      return curvature > 0 ? 1 / curvature : 0;
     }
 
-    /// Adds the balls that touch another patch; whether they are among the smallest of any.
-    void add(const Side& other)
+    /// Whether one of the patches from `begin` to before `end` touches a ball that was larger.
+    bool look_at(std::size_t begin, std::size_t end)
     {
-      const Values x = other.mean.x() - mean.col(0), y = other.mean.y() - mean.col(1),
-                   z = other.mean.z() - mean.col(2);
-      const Values cosine = other.normal.x() * normal.col(0) + other.normal.y() * normal.col(1) +
-                            other.normal.z() * normal.col(2);
-      const Values depth = -(x * normal.col(0) + y * normal.col(1) + z * normal.col(2));
-      // Whether they face each other, 0 or 1.
-      const Values facing =
-        ((static_cast<float>(facing_normals) - cosine) * std::numeric_limits<float>::max())
-          .max(0).min(1);
-      const Values curvature = (2 * facing * depth / (x * x + y * y + z * z).max(least)).max(0);
-      const Values first_rest = curvature.min(first), second_rest = first_rest.min(second);
-      first = first.max(curvature);
-      second = second.max(first_rest);
-      third = third.max(second_rest);
+      const Row_values before = third_;
+      for(std::size_t other = begin; other < end; ++other)
+        look_at(other);
+      return (third_ - before).maxCoeff() > 0;
     }
 
-    /// Whether there may be a patch in a box, with its normal in another box, that touches a ball
-    /// among the smallest of any.
-    bool may_touch(const Float_box& box, const Float_box& normals) const
+    void look_at(std::size_t other)
     {
-      const Values cosine = (normal.col(0) * normals.lower.x()).min(normal.col(0) * normals.upper.x()) +
-                            (normal.col(1) * normals.lower.y()).min(normal.col(1) * normals.upper.y()) +
-                            (normal.col(2) * normals.lower.z()).min(normal.col(2) * normals.upper.z());
+      const Eigen::Vector3f& normal = all_.normals_[other];
+      const Row_vectors d = mean_.to(all_.tree_.positions()[other]);
+      const Row_values face = is_positive(facing - normal_.dot(normal));
+      const Row_values curvature = (-2 * face * d.dot(normal_) / d.squared_norm().max(least)).max(0);
+      const Row_values rest = curvature.min(first_), second_rest = rest.min(second_);
+      first_ = first_.max(curvature);
+      second_ = second_.max(rest);
+      third_ = third_.max(second_rest);
+    }
+
+    /// Whether one of the patches of a node may face one of the row and touch its balls.
+    bool may_matter(std::size_t node) const
+    {
+      const Row_box &box = all_.tree_.boxes()[node], &normals = all_.normal_boxes_[node];
+      const Row_values cosine =
+        (normal_.x * normals.lower.x()).min(normal_.x * normals.upper.x()) +
+        (normal_.y * normals.lower.y()).min(normal_.y * normals.upper.y()) +
+        (normal_.z * normals.lower.z()).min(normal_.z * normals.upper.z());
       // Of the points of the box the one with the least power to the largest ball.
-      const Values radius = 1 / third.max(least);
-      const auto offset = [&](Eigen::Index axis) -> Values {
-        return (-radius * normal.col(axis))
-          .max(box.lower[axis] - mean.col(axis))
-          .min(box.upper[axis] - mean.col(axis));
-      };
-      const Values x = offset(0), y = offset(1), z = offset(2);
-      const Values power = x * (third * x + 2 * normal.col(0)) + y * (third * y + 2 * normal.col(1)) +
-                           z * (third * z + 2 * normal.col(2));
-      return (cosine - static_cast<float>(facing_normals)).max(power).minCoeff() < 0;
+      const Row_values radius = 1 / third_.max(least);
+      const Row_vectors lower = mean_.to(box.lower), upper = mean_.to(box.upper);
+      const Row_vectors d((-radius * normal_.x).max(lower.x).min(upper.x),
+                          (-radius * normal_.y).max(lower.y).min(upper.y),
+                          (-radius * normal_.z).max(lower.z).min(upper.z));
+      const Row_values power = third_ * d.squared_norm() + 2 * d.dot(normal_);
+      return (cosine - facing).max(power).minCoeff() < 0;
     }
 
+  private:
+    static constexpr auto facing = static_cast<float>(facing_normals);
     static constexpr float least = 1e-20f; // instead of 0
 
-    Eigen::Array<float, row, 3> mean, normal;
-    // Of the three smallest, the smallest first; 0: there is none.
-    Values first = Values::Zero(), second = Values::Zero(), third = Values::Zero();
+    const Facing_balls& all_;
+    Row_vectors mean_, normal_;
+    // The curvatures of the three smallest, the smallest ball first; 0: there is none.
+    Row_values first_ = Row_values::Zero(), second_ = Row_values::Zero(), third_ = Row_values::Zero();
   };
 
   /// Finds the smallest balls of a row. Begins with the leaves that those of the row before touch, and
   /// leaves behind which ones they do.
-  void find_smallest(Row_of_balls& balls, std::vector<Leaf>& touched) const
+  void find_smallest(Row& balls, Leaves& touched) const
   {
     constexpr std::size_t most = 8; // leaves, all around a limb
-    const std::vector<Leaf> likely = std::exchange(touched, {});
-    const auto look_at = [&](const Leaf& leaf) {
-      const Values before = balls.third;
-      for(std::size_t other = leaf.first; other < leaf.second; ++other)
-        balls.add(sides_[other]);
-      if((balls.third - before).maxCoeff() > 0)
+    const Leaves likely = std::exchange(touched, {});
+    const auto look_into = [&](const Leaves::value_type& leaf) {
+      if(balls.look_at(leaf.first, leaf.second))
         touched.push_back(leaf);
     };
-    std::for_each(likely.begin(), likely.end(), look_at);
-    tree_.visit_leaves(
-      [&](std::size_t node) { return balls.may_touch(boxes_[node], normal_boxes_[node]); },
-      [&](std::size_t begin, std::size_t end) {
-        const Leaf leaf(begin, end);
-        if(std::find(likely.begin(), likely.end(), leaf) == likely.end())
-          look_at(leaf);
-      });
+    std::for_each(likely.begin(), likely.end(), look_into);
+    tree_.visit_leaves(balls, [&](std::size_t begin, std::size_t end) {
+      const Leaves::value_type leaf(begin, end);
+      if(std::find(likely.begin(), likely.end(), leaf) == likely.end())
+        look_into(leaf);
+    });
     if(touched.size() > most) // the balls were smaller when the last ones were found
       touched.erase(touched.begin(), touched.end() - most);
   }
 
-  const Box_tree& tree_;
-  std::vector<Float_box> boxes_, normal_boxes_; ///< Of every node of the tree.
-  std::vector<Side> sides_;                     ///< In the order of the tree.
+  std::size_t bounded(std::size_t place) const { return std::min(place, order_.size() - 1); }
+
+  const std::vector<std::size_t>& order_;
+  Row_tree tree_;
+  std::vector<Row_box> normal_boxes_; ///< Of every node of the tree.
+  std::vector<Eigen::Vector3f> normals_;        ///< In the order of the tree; 0 if not to be trusted.
 };
 
 /// The median of a dozen values, by counting for every one how many are less: in a row that is faster

@@ -121,31 +121,6 @@ inline Vector3 attracted(const Sample& sample, double slab, const Oriented_mixtu
   return sample.position + step - axis.certainty * axis.direction.dot(step) * axis.direction;
 }
 
-/// Distance from `q` to the nearest patch it sees from inside; 0 if it sees none. If it sees `likely`,
-/// nothing is looked for beyond that patch. \pre there is a patch
-template <typename ConcurrencyTag>
-double visible_distance(const Vector3& q, const Oriented_surface<ConcurrencyTag>& surface,
-                        std::size_t likely = 0)
-{
-  const Box_tree& tree = surface.tree;
-  double nearest = std::numeric_limits<double>::infinity();
-  const auto look_at = [&](std::size_t i) {
-    const Vector3 d = surface.patches[i].mean - q;
-    const double squared = d.squaredNorm();
-    if(squared < nearest &&
-       visibility(d, surface.patches[i].normal, surface.confidence[i]) > 0.5)
-      nearest = squared;
-  };
-  look_at(likely);
-  tree.visit_below(
-    nearest, [&](std::size_t node) { return tree.boxes()[node].squared_distance(q); },
-    [&](std::size_t k) {
-      if((tree.positions()[k] - q).squaredNorm() < nearest)
-        look_at(tree.order()[k]);
-    });
-  return nearest < std::numeric_limits<double>::infinity() ? std::sqrt(nearest) : 0;
-}
-
 /// Samples at the patch means, moved to the centre of their medial ball where there is one.
 template <typename ConcurrencyTag>
 std::vector<Sample> medial_samples(const std::vector<Patch>& patches,
@@ -235,9 +210,11 @@ Projection_outcome project_samples(std::vector<Sample>& samples,
       break;
     }
   }
-  parallel_for<ConcurrencyTag>(samples.size(), [&](std::size_t i) {
-    samples[i].radius = visible_distance(samples[i].position, surface, i);
-  });
+  const std::vector<double> distances =
+    surface.visible->template distances_beside_patches<ConcurrencyTag>(
+      [&](std::size_t i) { return samples[i].position; });
+  for(std::size_t i = 0; i < samples.size(); ++i)
+    samples[i].radius = distances[i];
   return outcome;
 }
 

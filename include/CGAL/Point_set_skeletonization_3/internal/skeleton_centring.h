@@ -44,7 +44,7 @@ class Skeleton_centring
 public:
   /// `surface[v]` are the points of the surface that belong to vertex v, noise and all: taking it off
   /// draws what is curved to the inside. `spacing` is about how far they are apart. The radii of the
-  /// graph are those of the limbs, roughly. `inside` tells of a place whether it is in the shape.
+  /// graph are those of the limbs, roughly. `inside` tells of places whether they are in the shape.
   Skeleton_centring(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
                     double spacing, const Inside& inside)
     : graph_(graph), surface_(surface), spacing_(spacing), inside_(inside),
@@ -55,10 +55,13 @@ public:
   {
     constexpr int rounds = 3; // every one leaves a tenth of the way
     for(int round = 0; round < rounds; ++round) {
-      parallel_for<ConcurrencyTag>(drawn_.size(), [this](std::size_t v) {
+      std::vector<std::size_t> moved; // since they were drawn
+      for(std::size_t v = 0; v < drawn_.size(); ++v)
         if((graph_.vertices[v].position - drawn_[v].from).norm() >= stays * drawn_[v].radius)
-          drawn_[v] = drawn(v);
-      });
+          moved.push_back(v);
+      parallel_for<ConcurrencyTag>(moved.size(),
+                                   [&](std::size_t k) { drawn_[moved[k]] = drawn(moved[k]); });
+      keep_inside(moved);
       move();
     }
   }
@@ -80,25 +83,42 @@ private:
   /// A vertex without a cut stays about where it was, and lets its neighbours decide.
   static constexpr double least_weight = 0.1;
 
+  Drawn not_drawn(std::size_t v) const
+  {
+    const Skeleton_graph::Vertex& vertex = graph_.vertices[v];
+    return {vertex.position, start_[v].position, least_weight, std::max(vertex.radius, spacing_)};
+  }
+
   Drawn drawn(std::size_t v) const
   {
     const Skeleton_graph::Vertex& vertex = graph_.vertices[v];
     const double radius = std::max(vertex.radius, spacing_);
-    Drawn result{vertex.position, start_[v].position, least_weight, radius};
     const Piece piece = piece_around(v, radius);
     if(!(piece.half_chord > 0)) // a junction
-      return result;
+      return not_drawn(v);
     const Vector3 e1 = piece.axis.unitOrthogonal(), e2 = piece.axis.cross(e1);
     const Cross_section section = cross_section(cut(v, piece, e1, e2, radius));
     // With a gap of half the way around a centre is a guess, but better than none; with a third left
     // it is none, nor is it where a sheet leaves both sides open.
     constexpr double too_much = CGAL_PI;
     const double weight = 1 - section.unknown / too_much;
+    if(!(section.area > 0) || weight <= least_weight)
+      return not_drawn(v);
     const Vector3 target =
       vertex.position + section.center.x() * e1 + section.center.y() * e2;
-    if(!(section.area > 0) || weight <= least_weight || !inside_(target))
-      return result;
     return {vertex.position, target, weight, std::max(radius, std::sqrt(section.area / CGAL_PI))};
+  }
+
+  /// Nothing draws vertices to the outside.
+  void keep_inside(const std::vector<std::size_t>& vertices)
+  {
+    std::vector<Vector3> targets;
+    for(std::size_t v : vertices)
+      targets.push_back(drawn_[v].target);
+    const std::vector<bool> is_inside = inside_(targets);
+    for(std::size_t k = 0; k < vertices.size(); ++k)
+      if(!is_inside[k])
+        drawn_[vertices[k]] = not_drawn(vertices[k]);
   }
 
   /// A piece of a branch, read as a parabola.

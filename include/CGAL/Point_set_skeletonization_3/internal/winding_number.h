@@ -5,6 +5,7 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_WINDING_NUMBER_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Row_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 
@@ -78,22 +79,31 @@ public:
     return result;
   }
 
+  /// At `place(k)`, k < `size`; quick if places next to each other are close.
+  template <typename ConcurrencyTag, typename Place>
+  std::vector<double> at_places(std::size_t size, const Place& place) const
+  {
+    std::vector<double> result(size);
+    for_each_row<ConcurrencyTag>(size, [&](std::size_t first, std::size_t end) {
+      std::array<Vector3, row_size> places;
+      for(std::size_t k = 0; k < row_size; ++k)
+        places[k] = place(std::min(first + k, end - 1));
+      const std::array<double, row_size> values = (*this)(places);
+      std::copy_n(values.begin(), end - first, result.data() + first);
+    });
+    return result;
+  }
+
   /// At a place for every patch, `place(i)`; quick if those of patches next to each other are close.
   template <typename ConcurrencyTag, typename Place>
   std::vector<double> beside_patches(const Place& place) const
   {
-    constexpr std::size_t row = 8; // of patches
     const std::vector<std::size_t>& order = tree_.order();
+    const std::vector<double> in_order = at_places<ConcurrencyTag>(
+      order.size(), [&](std::size_t k) { return place(order[k]); });
     std::vector<double> result(order.size());
-    parallel_for<ConcurrencyTag>((order.size() + row - 1) / row, [&](std::size_t r) {
-      const std::size_t first = r * row, last = order.size() - 1;
-      std::array<Vector3, row> places;
-      for(std::size_t k = 0; k < row; ++k)
-        places[k] = place(order[std::min(first + k, last)]);
-      const std::array<double, row> values = (*this)(places);
-      for(std::size_t k = 0; k < row && first + k <= last; ++k)
-        result[order[first + k]] = values[k];
-    });
+    for(std::size_t k = 0; k < order.size(); ++k)
+      result[order[k]] = in_order[k];
     return result;
   }
 
