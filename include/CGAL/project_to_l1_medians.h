@@ -39,8 +39,10 @@ bool project_to_l1_medians(const Gaussian_mixture_3<GeomTraits>& mixture,
 
   std::vector<internal::Sample> projected;
   if(!means.empty()) {
+    const internal::Gaussians components =
+      internal::normalized_level<GeomTraits>(mixture.levels.front(), normalization);
     const internal::Oriented_surface<ConcurrencyTag> surface(
-      internal::normalized_level<GeomTraits>(mixture.levels.front(), normalization));
+      components, internal::tree_of_means<ConcurrencyTag>(components));
     const std::size_t iterations = internal::Projection_options().maximum_iterations;
     const internal::Projection_outcome outcome = internal::project_patches<ConcurrencyTag>(
       surface, internal::projection_options(np, iterations), internal::progress_of(np), projected);

@@ -5,7 +5,6 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_NEIGHBOR_SEARCH_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
-#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 
 #include <CGAL/Euclidean_distance.h>
 #include <CGAL/Fuzzy_sphere.h>
@@ -29,7 +28,7 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The only place that knows how neighbours are found: CGAL's kd-tree over indices of points.
+/// CGAL's kd-tree over indices of points.
 /// Queries are `const` and may run concurrently. Results are ordered by index or by distance and
 /// index, never by the layout of the tree.
 class Neighbor_search
@@ -128,51 +127,6 @@ private:
   std::vector<Point> points_;
   Tree tree_;
 };
-
-/// The nearest neighbours of every point of a set, nearest first: itself, if no other is there too.
-using Neighborhoods = std::vector<std::vector<Neighbor_search::Neighbor>>;
-
-/// The `k` nearest of every point; `position(i)` gives the `i`-th.
-template <typename ConcurrencyTag, typename Position>
-Neighborhoods neighborhoods(std::size_t size, const Position& position, std::size_t k)
-{
-  const Neighbor_search search(size, position, ConcurrencyTag());
-  Neighborhoods result(size);
-  parallel_for<ConcurrencyTag>(size, [&](std::size_t i) {
-    search.nearest(position(i), k, result[i]);
-  });
-  return result;
-}
-
-/// The same of the `size` points that are left, by their new indices: `index_of[i]` of the `i`-th, no
-/// less than `size` if it was dropped. Asks again where a neighbour was. `position()` is of the new.
-template <typename ConcurrencyTag, typename Position>
-Neighborhoods renumbered(Neighborhoods before, const std::vector<std::size_t>& index_of,
-                         std::size_t size, const Position& position, std::size_t k)
-{
-  Neighborhoods result(size);
-  for(std::size_t i = 0; i < before.size(); ++i) {
-    std::vector<Neighbor_search::Neighbor>& nearest = before[i];
-    for(auto& neighbor : nearest)
-      neighbor.index = index_of[neighbor.index];
-    const auto dropped = [&](const auto& neighbor) { return neighbor.index >= size; };
-    if(index_of[i] >= size || std::any_of(nearest.begin(), nearest.end(), dropped))
-      continue;
-    std::sort(nearest.begin(), nearest.end());
-    result[index_of[i]] = std::move(nearest);
-  }
-  std::vector<std::size_t> unknown;
-  for(std::size_t i = 0; i < size; ++i)
-    if(result[i].empty())
-      unknown.push_back(i);
-  if(unknown.empty())
-    return result;
-  const Neighbor_search search(size, position, ConcurrencyTag());
-  parallel_for<ConcurrencyTag>(unknown.size(), [&](std::size_t u) {
-    search.nearest(position(unknown[u]), k, result[unknown[u]]);
-  });
-  return result;
-}
 
 } // namespace internal
 } // namespace Point_set_skeletonization_3

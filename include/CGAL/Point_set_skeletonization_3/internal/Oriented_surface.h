@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -26,19 +27,17 @@ template <typename ConcurrencyTag>
 class Oriented_surface
 {
 public:
-  explicit Oriented_surface(const Gaussians& gaussians)
-    : Oriented_surface(gaussians, patch_neighborhoods<ConcurrencyTag>(gaussians))
+  /// `tree` is over the means.
+  Oriented_surface(const Gaussians& gaussians, const Box_tree& tree)
+    : Oriented_surface(gaussians, tree, patch_neighborhoods<ConcurrencyTag>(tree))
   {}
 
-  /// Where the neighbourhoods are known.
-  Oriented_surface(const Gaussians& gaussians, const Neighborhoods& nearest)
-    : patches(surface_patches<ConcurrencyTag>(gaussians, nearest)), spacing(median_spacing(patches))
+  /// Where the neighbourhoods are known, too.
+  Oriented_surface(const Gaussians& gaussians, Box_tree tree_of_means, const Neighborhoods& nearest)
+    : patches(surface_patches<ConcurrencyTag>(gaussians, nearest)), spacing(median_spacing(patches)),
+      tree(std::move(tree_of_means))
   {
-    const auto grow_tree = [&] {
-      tree = Box_tree(
-        patches.size(), [&](std::size_t i) { return patches[i].mean; }, ConcurrencyTag());
-    };
-    parallel_invoke<ConcurrencyTag>([&] { orient_patches(patches); }, grow_tree);
+    orient_patches(patches);
     winding_number = settle_orientation<ConcurrencyTag>(patches, tree);
     confidence = orientation_confidence<ConcurrencyTag>(patches);
     part_facing_patches<ConcurrencyTag>(patches, confidence);

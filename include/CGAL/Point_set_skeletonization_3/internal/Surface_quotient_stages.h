@@ -83,11 +83,13 @@ public:
   {
     if(mixture.empty())
       return progress(1);
-    Neighborhoods nearest = patch_neighborhoods<ConcurrencyTag>(mixture.front());
-    const Gaussians clean = consolidated(nearest);
+    Box_tree tree = tree_of_means<ConcurrencyTag>(mixture.front());
+    Neighborhoods nearest = patch_neighborhoods<ConcurrencyTag>(tree);
+    const Gaussians clean = consolidated(tree, nearest);
     if(!progress(0.3))
       return false;
-    surface_ = std::make_unique<Oriented_surface<ConcurrencyTag>>(clean, nearest);
+    surface_ = 
+      std::make_unique<Oriented_surface<ConcurrencyTag>>(clean, std::move(tree), nearest);
     if(!progress(0.6))
       return false;
     outcome = project_patches<ConcurrencyTag>(*surface_, options_.projection,
@@ -132,12 +134,12 @@ private:
   static constexpr std::size_t number_of_levels = 3; // for who reads the mixture; we read the first
 
   /// Patches from the mixture without its noise: components that come to lie in one cell are one.
-  /// The neighbourhoods are those of the components, and become those of the patches.
-  Gaussians consolidated(Neighborhoods& nearest)
+  /// The tree and the neighbourhoods are those of the components, and become those of the patches.
+  Gaussians consolidated(Box_tree& tree, Neighborhoods& nearest)
   {
     const Gaussians& components = mixture.front();
     const Consolidated_surface clean =
-      Surface_consolidation<ConcurrencyTag>(components, nearest)();
+      Surface_consolidation<ConcurrencyTag>(components, tree, nearest)();
     std::vector<std::size_t> kept;
     for(std::size_t i = 0; i < components.size(); ++i)
       if(!clean.outlier[i])
@@ -160,12 +162,15 @@ private:
         moments.add(components[i].weight, clean.positions[i]);
       patches.push_back(moments.gaussian());
     }
-    if(noise_ > 0 || patches.size() < kept.size())
-      nearest = patch_neighborhoods<ConcurrencyTag>(patches);
-    else // nothing has moved
+    const bool is_still = !(noise_ > 0) && patches.size() == kept.size(); // nothing has moved
+    if(is_still && patches.size() == components.size())
+      return patches;
+    tree = tree_of_means<ConcurrencyTag>(patches);
+    if(is_still)
       nearest = renumbered<ConcurrencyTag>(
-        std::move(nearest), patch_of_component_, patches.size(),
-        [&](std::size_t i) { return patches[i].mean; }, patch_neighbors + 1);
+        std::move(nearest), patch_of_component_, tree, patch_neighbors + 1);
+    else
+      nearest = patch_neighborhoods<ConcurrencyTag>(tree);
     return patches;
   }
 

@@ -5,7 +5,7 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PATCH_ADJACENCY_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
-#include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/neighborhoods.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 
 #include <CGAL/number_utils.h>
@@ -62,7 +62,7 @@ constexpr double facing_cosine = 0.5;
 /// Normal and planarity of a patch, from its own moments and those of its neighbours with a
 /// Gaussian weight of the local spacing: few points make the moments of a single patch noisy.
 inline void estimate_normal(Patch& patch, const Gaussians& gaussians,
-                            const std::vector<Neighbor_search::Neighbor>& nearest)
+                            const std::vector<Neighbor>& nearest)
 {
   Moments moments(patch.mean);
   for(const auto& neighbor : nearest) {
@@ -90,12 +90,20 @@ inline bool face_each_other(const Patch& a, const Patch& b)
          std::abs(b.normal.dot(d)) * b.planarity > facing_cosine;
 }
 
-/// The places around every component that a patch needs to know: itself and its neighbours.
+/// The tree over the means of a mixture.
 template <typename ConcurrencyTag>
-Neighborhoods patch_neighborhoods(const Gaussians& gaussians)
+Box_tree tree_of_means(const Gaussians& gaussians)
 {
-  return neighborhoods<ConcurrencyTag>(
-    gaussians.size(), [&](std::size_t i) { return gaussians[i].mean; }, patch_neighbors + 1);
+  return Box_tree(
+    gaussians.size(), [&](std::size_t i) { return gaussians[i].mean; }, ConcurrencyTag());
+}
+
+/// The places around every component that a patch needs to know: itself and its neighbours. `tree` is
+/// over the means.
+template <typename ConcurrencyTag>
+Neighborhoods patch_neighborhoods(const Box_tree& tree)
+{
+  return neighborhoods<ConcurrencyTag>(tree, patch_neighbors + 1);
 }
 
 /// Turns a mixture level into patches that know their neighbours on the surface, from its

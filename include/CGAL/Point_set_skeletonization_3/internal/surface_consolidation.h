@@ -6,7 +6,8 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
-#include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/neighborhoods.h>
+#include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 #include <CGAL/Point_set_skeletonization_3/internal/grid_cells.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/quantile.h>
@@ -53,10 +54,8 @@ auto exponential_of_32_times(const Array& x)
 /// A mixture with a tree over it, in whose order it is.
 struct Mixture_tree
 {
-  template <typename ConcurrencyTag>
-  Mixture_tree(const Gaussians& components, ConcurrencyTag tag)
-    : tree(
-        components.size(), [&](std::size_t i) { return components[i].mean; }, tag)
+  /// `tree_of_means` is over the components.
+  Mixture_tree(const Gaussians& components, Box_tree tree_of_means) : tree(std::move(tree_of_means))
   {
     mixture.reserve(components.size());
     for(std::size_t i : tree.order())
@@ -181,13 +180,14 @@ class Mixture_window
 public:
   template <typename ConcurrencyTag>
   Mixture_window(std::shared_ptr<const Mixture_tree> finest, double spacing, double radius,
-                 ConcurrencyTag tag)
+                 ConcurrencyTag)
     : radius_(radius), components_(std::move(finest))
   {
     constexpr double resolution = 1.0 / 3; // of the radius: two dozen components in a window
-    if(resolution * radius > spacing)
-      components_ = std::make_shared<Mixture_tree>(
-        coarsened(components_->mixture, resolution * radius), tag);
+    if(!(resolution * radius > spacing))
+      return;
+    const Gaussians coarse = coarsened(components_->mixture, resolution * radius);
+    components_ = std::make_shared<Mixture_tree>(coarse, tree_of_means<ConcurrencyTag>(coarse));
   }
 
   Window_view around(const Box& box) const { return {*components_, radius_, box}; }
@@ -218,9 +218,9 @@ template <typename ConcurrencyTag>
 class Surface_consolidation
 {
 public:
-  /// Refers to the mixture and to the `neighborhoods()` of its components, of nine or more.
-  Surface_consolidation(const Gaussians& mixture, const Neighborhoods& nearest)
-    : mixture_(mixture), nearest_(nearest), spacings_(spacings()),
+  /// Refers to the mixture, to the tree over its means and to their `neighborhoods()`, of nine or more.
+  Surface_consolidation(const Gaussians& mixture, const Box_tree& tree, const Neighborhoods& nearest)
+    : mixture_(mixture), tree_(&tree), nearest_(nearest), spacings_(spacings()),
       spacing_(std::max(quantile(spacings_, 0.5), std::numeric_limits<double>::min()))
   {
     for(const Gaussian& g : mixture)
@@ -301,7 +301,9 @@ private:
         components.push_back({mixture_[i].weight, result_.positions[i], mixture_[i].covariance});
         kept.push_back(i);
       }
-    finest_ = std::make_shared<Mixture_tree>(components, ConcurrencyTag());
+    const bool is_whole = tree_ && kept.size() == mixture_.size();
+    finest_ = std::make_shared<Mixture_tree>(
+      components, is_whole ? *tree_ : tree_of_means<ConcurrencyTag>(components));
     kept_.clear();
     for(std::size_t k : finest_->tree.order())
       kept_.push_back(kept[k]);
@@ -386,6 +388,7 @@ private:
   /// To be called when components have moved or been dropped.
   void forget_windows()
   {
+    tree_ = nullptr;
     finest_ = nullptr;
     windows_ = {};
   }
@@ -580,6 +583,7 @@ private:
   }
 
   const Gaussians& mixture_;
+  const Box_tree* tree_; ///< Over the mixture, as long as nothing has moved.
   const Neighborhoods& nearest_;
   std::vector<double> spacings_;
   double spacing_;

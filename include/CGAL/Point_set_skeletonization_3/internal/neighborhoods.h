@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_NEIGHBORHOODS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_NEIGHBORHOODS_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Per_thread.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Row_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// A neighbour and its squared distance.
+using Neighbor = Neighbor_search::Neighbor;
+
+/// The nearest neighbours of every point of a set, nearest first: itself, if no other is there too.
+using Neighborhoods = std::vector<std::vector<Neighbor>>;
+
+/// The neighbours of points of a tree that are next to each other.
+class Neighborhood_row
+{
+public:
+  Neighborhood_row(const Box_tree& tree, const Row_tree& row_tree, std::size_t k)
+    : tree_(tree), row_tree_(row_tree), smallest_(k)
+  {}
+
+  /// Looks for the neighbours of the points `place(k)`, k < row_size, in the order of the tree.
+  template <typename Place>
+  void look_around(const Place& place)
+  {
+    points_ = Row_vectors([&](std::size_t k) { return row_tree_.positions()[place(k)]; });
+    std::fill(smallest_.begin(), smallest_.end(),
+              Row_values::Constant(std::numeric_limits<float>::max()));
+    seen_.clear();
+    distances_.clear();
+    // Those beside the first bound what may be nearer.
+    const std::size_t wide = row_size + smallest_.size();
+    const std::size_t first = place(0) - std::min(place(0), wide);
+    const std::size_t end = std::min(place(0) + wide, row_tree_.positions().size());
+    look_at(first, end);
+    row_tree_.visit_leaves(*this, [&](std::size_t b, std::size_t e) {
+      look_at(b, std::min(e, first));
+      look_at(std::max(b, end), e);
+    });
+  }
+
+  /// Whether a point of a node may be among the nearest.
+  bool may_matter(std::size_t node) const
+  {
+    const Row_vectors d = points_.to_box(row_tree_.boxes()[node]);
+    return (d.squared_norm() - smallest_.back()).minCoeff() < 0;
+  }
+
+  /// The neighbours of the `k`-th point, which is at `position`.
+  std::vector<Neighbor> neighbors(std::size_t k, const Vector3& position)
+  {
+    const auto row = static_cast<Eigen::Index>(k);
+    const float farthest = smallest_.back()[row];
+    near_.resize(seen_.size() + 1);
+    std::size_t size = 0;
+    for(std::size_t i = 0; i < seen_.size(); ++i) { // without a branch
+      near_[size] = seen_[i];
+      size += distances_[i][row] <= farthest;
+    }
+    std::vector<Neighbor> result(size);
+    for(std::size_t i = 0; i < size; ++i)
+      result[i] = {(tree_.positions()[near_[i]] - position).squaredNorm(), tree_.order()[near_[i]]};
+    std::sort(result.begin(), result.end());
+    result.resize(smallest_.size());
+    return result;
+  }
+
+private:
+  void look_at(std::size_t begin, std::size_t end)
+  {
+    for(std::size_t other = begin; other < end; ++other) {
+      const Row_vectors d = points_.to(row_tree_.positions()[other]);
+      Row_values squared = d.squared_norm();
+      seen_.push_back(other);
+      distances_.push_back(squared);
+      for(Row_values& smaller : smallest_) { // puts it in its place
+        const Row_values greater = smaller.max(squared);
+        smaller = smaller.min(squared);
+        squared = greater;
+      }
+    }
+  }
+
+  const Box_tree& tree_;
+  const Row_tree& row_tree_;
+  Row_vectors points_;
+  std::vector<Row_values> smallest_; ///< Squared distances, the smallest first.
+  std::vector<std::size_t> seen_, near_;
+  std::vector<Row_values> distances_; ///< To what was seen.
+};
+
+/// Writes the `k` nearest of some points of a tree, `places` in its order, to `result`; quick if points
+/// next to each other in `places` are close.
+template <typename ConcurrencyTag>
+void find_neighbors(const Box_tree& tree, const std::vector<std::size_t>& places, std::size_t k,
+                    Neighborhoods& result)
+{
+  const Row_tree row_tree(tree);
+  Per_thread<ConcurrencyTag, Neighborhood_row> rows([&] {
+    return Neighborhood_row(tree, row_tree, std::min(k, tree.order().size()));
+  });
+  for_each_row<ConcurrencyTag>(places.size(), [&](std::size_t first, std::size_t end) {
+    Neighborhood_row& row = rows.local();
+    row.look_around([&](std::size_t i) { return places[std::min(first + i, end - 1)]; });
+    for(std::size_t i = first; i < end; ++i)
+      result[tree.order()[places[i]]] = row.neighbors(i - first, tree.positions()[places[i]]);
+  });
+}
+
+/// The `k` nearest of every point of a tree, told apart in single precision.
+template <typename ConcurrencyTag>
+Neighborhoods neighborhoods(const Box_tree& tree, std::size_t k)
+{
+  Neighborhoods result(tree.order().size());
+  std::vector<std::size_t> places(result.size());
+  std::iota(places.begin(), places.end(), std::size_t(0));
+  find_neighbors<ConcurrencyTag>(tree, places, k, result);
+  return result;
+}
+
+/// The same from those of more points: `index_of[i]` is the new index of the `i`-th of them, no less
+/// than the size of the tree if it was dropped. Asks again where a neighbour was.
+template <typename ConcurrencyTag>
+Neighborhoods renumbered(Neighborhoods before, const std::vector<std::size_t>& index_of,
+                         const Box_tree& tree, std::size_t k)
+{
+  const std::size_t size = tree.order().size();
+  Neighborhoods result(size);
+  for(std::size_t i = 0; i < before.size(); ++i) {
+    std::vector<Neighbor>& nearest = before[i];
+    for(auto& neighbor : nearest)
+      neighbor.index = index_of[neighbor.index];
+    const auto dropped = [&](const auto& neighbor) { return neighbor.index >= size; };
+    if(index_of[i] >= size || std::any_of(nearest.begin(), nearest.end(), dropped))
+      continue;
+    std::sort(nearest.begin(), nearest.end());
+    result[index_of[i]] = std::move(nearest);
+  }
+  std::vector<std::size_t> unknown;
+  for(std::size_t place = 0; place < size; ++place)
+    if(result[tree.order()[place]].empty())
+      unknown.push_back(place);
+  find_neighbors<ConcurrencyTag>(tree, unknown, k, result);
+  return result;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_NEIGHBORHOODS_H
