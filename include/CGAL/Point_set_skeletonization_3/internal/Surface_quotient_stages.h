@@ -88,7 +88,7 @@ public:
     const Gaussians clean = consolidated(tree, nearest);
     if(!progress(0.3))
       return false;
-    surface_ = 
+    surface_ =
       std::make_unique<Oriented_surface<ConcurrencyTag>>(clean, std::move(tree), nearest);
     if(!progress(0.6))
       return false;

@@ -236,6 +236,30 @@ inline bool is_like_its_neighbors(const Patch& patch, const std::vector<Patch>& 
   return patch.normal.dot(sum) > 0.5 * static_cast<double>(patch.neighbors.size());
 }
 
+/// The winding numbers at the patches: a half where the surroundings are oriented well, minus a half
+/// where they are inside out, and 0 on an open sheet, which has no inside. What is inside out is a limb,
+/// larger than a few patches next to each other: where one of these is well oriented, so are the others.
+template <typename ConcurrencyTag>
+std::vector<double> winding_numbers_on_surface(const Winding_number& winding_number,
+                                               const Box_tree& tree)
+{
+  constexpr double well = 0.25;
+  const std::vector<Vector3>& positions = tree.positions();
+  const std::size_t rows = (positions.size() + row_size - 1) / row_size;
+  const std::vector<double> of_rows = winding_number.at_places<ConcurrencyTag>(
+    rows, [&](std::size_t row) { return positions[row * row_size]; });
+  std::vector<std::size_t> unsure; // places in the tree
+  for(std::size_t place = 0; place < positions.size(); ++place)
+    if(of_rows[place / row_size] < well)
+      unsure.push_back(place);
+  const std::vector<double> of_unsure = winding_number.at_places<ConcurrencyTag>(
+    unsure.size(), [&](std::size_t k) { return positions[unsure[k]]; });
+  std::vector<double> result(positions.size(), 0.5);
+  for(std::size_t k = 0; k < unsure.size(); ++k)
+    result[tree.order()[unsure[k]]] = of_unsure[k];
+  return result;
+}
+
 /// Turns the patches around whose normals point into the shape: the spanning tree of the orientation
 /// may have taken a wrong turn at a thin or sharp place. The rest of the surface tells: it winds once
 /// around what is behind a patch, and not around what is in front. First whole limbs that are inside
@@ -256,11 +280,9 @@ std::unique_ptr<Winding_number> settle_orientation(std::vector<Patch>& patches,
     if(std::any_of(wrong.begin(), wrong.end(), [](char is) { return is; }))
       winding_number = std::make_unique<Winding_number>(patches, tree, ConcurrencyTag());
   };
-  // On the surface the winding number is a half where the surroundings are oriented well, minus a
-  // half where they are inside out, and 0 on an open sheet, which has no inside.
+  const std::vector<double> on_surface =
+    winding_numbers_on_surface<ConcurrencyTag>(*winding_number, tree);
   constexpr double inside_out = -0.25;
-  const auto on_surface = winding_number->template beside_patches<ConcurrencyTag>(
-    [&](std::size_t i) { return patches[i].mean; });
   turn_where([&](std::size_t i) { return on_surface[i] < inside_out; });
   turn_where([&](std::size_t i) {
     const Patch& patch = patches[i];
