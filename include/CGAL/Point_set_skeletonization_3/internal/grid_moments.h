@@ -12,6 +12,9 @@
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
+#include <boost/interprocess/anonymous_shared_memory.hpp>
+#include <boost/interprocess/mapped_region.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -376,35 +379,42 @@ inline Grid_level coarser_level(const Cubic_grid& grid, const Moment_cells& cell
 /// Parts into which a large cloud is split: there is work for eight threads.
 constexpr std::size_t cloud_parts = 8;
 
-/// The number of a cell for every point, in chunks that can be given back one after the other.
+/// The number of a cell for every point, in chunks that go back to the system one after the other. Of
+/// memory from the heap nobody knows whether it does, or stays as a gap between other things.
 class Cells_of_points
 {
 public:
-  explicit Cells_of_points(std::size_t size = 0) : size_(size)
+  Cells_of_points() = default;
+
+  explicit Cells_of_points(std::size_t size) : size_(size)
   {
     for(std::size_t first = 0; first < size; first += chunk_size)
-      chunks_.emplace_back(std::min(chunk_size, size - first));
+      chunks_.push_back(boost::interprocess::anonymous_shared_memory(
+        sizeof(std::uint16_t) * std::min(chunk_size, size - first)));
   }
 
   std::size_t size() const { return size_; }
 
-  std::uint16_t& operator[](std::size_t p) { return chunks_[p / chunk_size][p % chunk_size]; }
-  std::uint16_t operator[](std::size_t p) const { return chunks_[p / chunk_size][p % chunk_size]; }
+  std::uint16_t& operator[](std::size_t p) { return chunk_of(p)[p % chunk_size]; }
+  std::uint16_t operator[](std::size_t p) const { return chunk_of(p)[p % chunk_size]; }
 
   /// Gives back memory of the points below `end`, which must not be asked for any longer.
   void forget_below(std::size_t end)
   {
     for(std::size_t c = 0; c < end / chunk_size; ++c)
-      chunks_[c] = std::vector<std::uint16_t>();
+      chunks_[c] = boost::interprocess::mapped_region();
   }
 
 private:
-  // 2 MiB: more than what came and went before, so that it goes back to the system at once and does
-  // not stay as a gap between other things.
   static constexpr std::size_t chunk_size = 1 << 20;
 
-  std::size_t size_;
-  std::vector<std::vector<std::uint16_t>> chunks_;
+  std::uint16_t* chunk_of(std::size_t p) const
+  {
+    return static_cast<std::uint16_t*>(chunks_[p / chunk_size].get_address());
+  }
+
+  std::size_t size_ = 0;
+  std::vector<boost::interprocess::mapped_region> chunks_;
 };
 
 /// Adds the points to the cells of `level`, and tells the cell of every point.
