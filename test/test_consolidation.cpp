@@ -33,8 +33,9 @@ Gaussians components(std::size_t size, const std::function<Vector3()>& draw)
 
 Consolidated_surface consolidated(const Gaussians& mixture)
 {
-  return Surface_consolidation<CGAL::Sequential_tag>(
-    mixture, patch_neighborhoods<CGAL::Sequential_tag>(mixture))();
+  using Tag = CGAL::Sequential_tag;
+  const Box_tree tree = tree_of_means<Tag>(mixture);
+  return Surface_consolidation<Tag>(mixture, tree, patch_neighborhoods<Tag>(tree))();
 }
 
 /// Values of what is no outlier.
@@ -83,11 +84,11 @@ TEST_CASE("neighbourhoods of the points that are left are those asked anew")
         left.push_back(all[i]);
       }
     using Tag = CGAL::Sequential_tag;
-    const auto position = [&](std::size_t i) { return left[i]; };
-    const Neighborhoods known = renumbered<Tag>(
-      neighborhoods<Tag>(all.size(), [&](std::size_t i) { return all[i]; }, 7), index_of,
-      left.size(), position, 7);
-    const Neighborhoods asked = neighborhoods<Tag>(left.size(), position, 7);
+    const Box_tree tree_of_all(all.size(), [&](std::size_t i) { return all[i]; });
+    const Box_tree tree_of_left(left.size(), [&](std::size_t i) { return left[i]; });
+    const Neighborhoods known =
+      renumbered<Tag>(neighborhoods<Tag>(tree_of_all, 7), index_of, tree_of_left, 7);
+    const Neighborhoods asked = neighborhoods<Tag>(tree_of_left, 7);
     for(std::size_t i = 0; i < left.size(); ++i) {
       REQUIRE(known[i].size() == asked[i].size());
       for(std::size_t k = 0; k < asked[i].size(); ++k)

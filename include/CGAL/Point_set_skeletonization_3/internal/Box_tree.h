@@ -10,10 +10,8 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -42,17 +40,10 @@ struct Box
   {
     return (lower - p).cwiseMax(p - upper).cwiseMax(0).squaredNorm();
   }
-
-  /// The least of `direction.dot(p)` over the box.
-  double least(const Vector3& direction) const
-  {
-    return direction.cwiseProduct(lower).cwiseMin(direction.cwiseProduct(upper)).sum();
-  }
 };
 
-/// A balanced binary tree over points, for questions that are no neighbour queries: sums over all
-/// points that get coarser with distance, and minima of a function that can be bounded in a box.
-/// It depends on the points only.
+/// A balanced binary tree over points, for sums over all points that get coarser with distance and for
+/// what can be bounded in a box. It depends on the points only.
 class Box_tree
 {
 public:
@@ -124,28 +115,20 @@ public:
   template <typename Visit>
   void visit_within(const Vector3& center, double radius, const Visit& visit) const
   {
-    visit_leaves_within(center, radius, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t k = begin; k < end; ++k) {
-        const double squared_distance = (positions_[k] - center).squaredNorm();
-        if(squared_distance < radius * radius)
-          visit(k, squared_distance);
-      }
-    });
-  }
-
-  /// Calls `visit(begin, end)` for every leaf whose box is closer than `radius` to `center`; its
-  /// points are those of `order()` from `begin` to before `end`, `leaf_size` at most.
-  template <typename Visit>
-  void visit_leaves_within(const Vector3& center, double radius, const Visit& visit) const
-  {
     const double squared_radius = radius * radius;
     visit_leaves(
       [&](std::size_t node) { return boxes_[node].squared_distance(center) < squared_radius; },
-      visit);
+      [&](std::size_t begin, std::size_t end) {
+        for(std::size_t k = begin; k < end; ++k) {
+          const double squared_distance = (positions_[k] - center).squaredNorm();
+          if(squared_distance < squared_radius)
+            visit(k, squared_distance);
+        }
+      });
   }
 
   /// Calls `visit(begin, end)` for every leaf for which `enter(node)` is true for it and all nodes
-  /// above.
+  /// above. Its points are those of `order()` from `begin` to before `end`, `leaf_size` at most.
   template <typename Enter, typename Visit>
   void visit_leaves(const Enter& enter, const Visit& visit) const
   {
@@ -157,35 +140,6 @@ public:
       if(is_leaf(n))
         visit(nodes_[n].begin, nodes_[n].end);
       ++n;
-    }
-  }
-
-  /// Calls `visit(k)` for the points of all nodes with `bound(node) < limit`, as the `k`-th of
-  /// `order()`, where visits may lower the limit: the minimum of a function over the points if
-  /// `bound()` is none greater than its values in the node. Of two children the one with the smaller
-  /// bound comes first.
-  template <typename Bound, typename Visit>
-  void visit_below(const double& limit, const Bound& bound, const Visit& visit) const
-  {
-    if(nodes_.empty())
-      return;
-    using Bounded_node = std::pair<double, std::size_t>;
-    std::array<Bounded_node, 64> waiting; // one for every halving
-    std::size_t size = 0;
-    waiting[size++] = {bound(0), 0};
-    while(size > 0) {
-      Bounded_node entry = waiting[--size];
-      while(entry.first < limit && !is_leaf(entry.second)) {
-        const std::size_t near = left(entry.second), far = right(entry.second);
-        entry = {bound(near), near};
-        Bounded_node other{bound(far), far};
-        if(other.first < entry.first)
-          std::swap(entry, other);
-        waiting[size++] = other;
-      }
-      if(entry.first < limit)
-        for(std::size_t k = nodes_[entry.second].begin; k < nodes_[entry.second].end; ++k)
-          visit(k);
     }
   }
 

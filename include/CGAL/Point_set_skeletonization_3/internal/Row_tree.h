@@ -40,22 +40,6 @@ struct Row_vectors
 {
   Row_values x, y, z;
 
-  Row_vectors() = default;
-  Row_vectors(const Row_values& x, const Row_values& y, const Row_values& z) : x(x), y(y), z(z) {}
-
-  /// The `k`-th is `vector(k)`.
-  template <typename Vector>
-  explicit Row_vectors(const Vector& vector)
-  {
-    for(std::size_t k = 0; k < row_size; ++k) {
-      const Eigen::Vector3f v = vector(k);
-      const auto row = static_cast<Eigen::Index>(k);
-      x[row] = v.x();
-      y[row] = v.y();
-      z[row] = v.z();
-    }
-  }
-
   /// The way from every place to a point.
   Row_vectors to(const Eigen::Vector3f& p) const { return {p.x() - x, p.y() - y, p.z() - z}; }
 
@@ -71,6 +55,21 @@ struct Row_vectors
   auto dot(const Row_vectors& v) const { return x * v.x + y * v.y + z * v.z; }
   auto squared_norm() const { return x * x + y * y + z * z; }
 };
+
+/// `vector(k)` at the `k`-th place of a row.
+template <typename Vector>
+Row_vectors row_of(const Vector& vector)
+{
+  Row_vectors result;
+  for(std::size_t k = 0; k < row_size; ++k) {
+    const Eigen::Vector3f v = vector(k);
+    const auto row = static_cast<Eigen::Index>(k);
+    result.x[row] = v.x();
+    result.y[row] = v.y();
+    result.z[row] = v.z();
+  }
+  return result;
+}
 
 /// 1 for every value that is positive, else 0.
 template <typename Values>

@@ -29,8 +29,8 @@ public:
   {
     for(std::size_t i : tree.order()) {
       normals_.push_back(patches[i].normal.cast<float>());
-      // `visibility()` is a half where the cosine is less than this; never where one cannot be sure.
-      const double cosine = confidence[i] > 0.5 ? -0.1 - 0.1 / confidence[i] : -2;
+      // Where `visibility()` falls to a half; it never does where the confidence is too low.
+      const double cosine = confidence[i] >= 0.5 ? -0.1 - 0.1 / confidence[i] : -2;
       least_cosines_.push_back(static_cast<float>(cosine));
     }
   }
@@ -65,7 +65,7 @@ private:
     template <typename Place>
     Row(const Visible_patches& patches, const Place& place)
       : patches_(patches),
-        places_([&](std::size_t k) { return patches.tree_.place(place(k)); })
+        places_(row_of([&](std::size_t k) { return patches.tree_.place(place(k)); }))
     {}
 
     double distance(std::size_t k) const

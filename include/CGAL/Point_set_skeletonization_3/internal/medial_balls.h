@@ -77,8 +77,8 @@ private:
   public:
     Row(const Facing_balls& all, std::size_t first)
       : all_(all),
-        mean_([&](std::size_t k) { return all.tree_.positions()[all.bounded(first + k)]; }),
-        normal_([&](std::size_t k) { return all.normals_[all.bounded(first + k)]; })
+        mean_(row_of([&](std::size_t k) { return all.tree_.positions()[all.bounded(first + k)]; })),
+        normal_(row_of([&](std::size_t k) { return all.normals_[all.bounded(first + k)]; }))
     {}
 
     /// That of the third smallest.
@@ -120,9 +120,9 @@ private:
       // Of the points of the box the one with the least power to the largest ball.
       const Row_values radius = 1 / third_.max(least);
       const Row_vectors lower = mean_.to(box.lower), upper = mean_.to(box.upper);
-      const Row_vectors d((-radius * normal_.x).max(lower.x).min(upper.x),
+      const Row_vectors d{(-radius * normal_.x).max(lower.x).min(upper.x),
                           (-radius * normal_.y).max(lower.y).min(upper.y),
-                          (-radius * normal_.z).max(lower.z).min(upper.z));
+                          (-radius * normal_.z).max(lower.z).min(upper.z)};
       const Row_values power = third_ * d.squared_norm() + 2 * d.dot(normal_);
       return (cosine - facing).max(power).minCoeff() < 0;
     }

@@ -22,7 +22,7 @@ class Nearest_points_row
 public:
   template <typename Place>
   Nearest_points_row(const Row_tree& tree, const Place& place)
-    : tree_(tree), places_([&](std::size_t k) { return tree.place(place(k)); })
+    : tree_(tree), places_(row_of([&](std::size_t k) { return tree.place(place(k)); }))
   {}
 
   /// The place in the order of the tree of the nearest point.

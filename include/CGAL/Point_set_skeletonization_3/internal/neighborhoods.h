@@ -39,7 +39,7 @@ public:
   template <typename Place>
   void look_around(const Place& place)
   {
-    points_ = Row_vectors([&](std::size_t k) { return row_tree_.positions()[place(k)]; });
+    points_ = row_of([&](std::size_t k) { return row_tree_.positions()[place(k)]; });
     std::fill(smallest_.begin(), smallest_.end(),
               Row_values::Constant(std::numeric_limits<float>::max()));
     seen_.clear();

@@ -233,17 +233,30 @@ public:
     drop_isolated();
     measure_noise();
     result_.noise = strength_;
-    constexpr int most_passes = 4; // the first halves the noise, the last finds nothing to do
-    // If four passes together are half a step, a window shows the same in all of them.
+    if(strength_ > 0)
+      take_noise_off();
+    else
+      drop_all_thin();
+    return result_;
+  }
+
+private:
+  static constexpr int most_passes = 4; // the first halves the noise, the last finds nothing to do
+
+  void take_noise_off()
+  {
+    // If all passes together are half a step, a window shows the same in each of them.
     constexpr double little = 0.5;
-    if(strength_ > 0) {
-      const int passes = most_passes * strength_ < little ? 1 : most_passes;
-      for(int pass = 0; pass < passes; ++pass) {
-        move(most_passes * strength_ / passes);
-        drop_thin();
-      }
-      return result_;
+    const int passes = most_passes * strength_ < little ? 1 : most_passes;
+    for(int pass = 0; pass < passes; ++pass) {
+      move(most_passes * strength_ / passes);
+      drop_thin();
     }
+  }
+
+  /// What is left to do without noise. Only what has seen a component that was dropped is measured again.
+  void drop_all_thin()
+  {
     for(std::size_t i = 0; i < density_.size(); ++i)
       if(size_for(i) > 0) // known in the narrowest window only
         density_[i] = unknown;
@@ -251,14 +264,12 @@ public:
       measure_densities();
       const std::vector<std::size_t> dropped = drop_thin();
       if(dropped.empty())
-        break;
+        return;
       for(std::size_t i : dropped)
         forget_densities_around(i);
     }
-    return result_;
   }
 
-private:
   /// Distance of every component to its fourth neighbour.
   std::vector<double> spacings() const
   {
@@ -491,8 +502,7 @@ private:
     return result;
   }
 
-  /// Without noise this is all there is to do, for what is not known from `measure_noise()` or from
-  /// the pass before.
+  /// Measures the densities that are unknown.
   void measure_densities()
   {
     const std::vector<std::size_t> size = window_sizes();
@@ -533,7 +543,7 @@ private:
       // Along a twig nothing moves, or its points would gather in lumps.
       const Vector3 across = step - fit.elongation * fit.axis.dot(step) * fit.axis;
       position += share * ((1 - blob) * fit.normal.dot(step) * fit.normal +
-                               blob * drowned(fit) * across);
+                           blob * drowned(fit) * across);
     });
     forget_windows();
   }
