@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -55,10 +56,11 @@ public:
                          patches[i].planarity * patches[i].area / (unit_ * unit_) * patches[i].normal,
                          patches[i].spacing / (2 * unit_)});
     dipoles_.assign(dipoles.begin(), dipoles.end());
-    groups_.resize(tree_.nodes().size());
+    const std::vector<Sums> sums = sums_of_nodes(dipoles);
+    groups_.resize(sums.size());
     parallel_for<ConcurrencyTag>(groups_.size(), [&](std::size_t n) {
       const Box_tree::Node& node = tree_.nodes()[n];
-      groups_[n] = Group(dipoles.data() + node.begin, dipoles.data() + node.end);
+      groups_[n] = Group(sums[n], dipoles.data() + node.begin, dipoles.data() + node.end);
     });
   }
 
@@ -143,31 +145,65 @@ private:
     float squared_reach;
   };
 
+  /// What adds up over dipoles.
+  struct Sums
+  {
+    double weight = 0;
+    Vector3 weighted_position = Vector3::Zero(), moment = Vector3::Zero();
+    Matrix3 second = Matrix3::Zero(); ///< Of positions times moments.
+    double reach = 0;                 ///< The largest.
+
+    void add(const Dipole& dipole)
+    {
+      const double own_weight = dipole.moment.norm();
+      weight += own_weight;
+      weighted_position += own_weight * dipole.position;
+      moment += dipole.moment;
+      second += dipole.position * dipole.moment.transpose();
+      reach = std::max(reach, dipole.reach);
+    }
+
+    void add(const Sums& other)
+    {
+      weight += other.weight;
+      weighted_position += other.weighted_position;
+      moment += other.moment;
+      second += other.second;
+      reach = std::max(reach, other.reach);
+    }
+  };
+
+  /// Of every node of the tree.
+  std::vector<Sums> sums_of_nodes(const std::vector<Dipole>& dipoles) const
+  {
+    std::vector<Sums> result(tree_.nodes().size());
+    for(std::size_t n = result.size(); n-- > 0;)
+      if(tree_.is_leaf(n))
+        for(std::size_t k = tree_.nodes()[n].begin; k < tree_.nodes()[n].end; ++k)
+          result[n].add(dipoles[k]);
+      else {
+        result[n].add(result[tree_.left(n)]);
+        result[n].add(result[tree_.right(n)]);
+      }
+    return result;
+  }
+
   /// Dipoles seen from far away.
   struct Group
   {
     Group() = default;
 
-    Group(const Dipole* begin, const Dipole* end)
+    Group(const Sums& sums, const Dipole* begin, const Dipole* end)
     {
-      double weight = 0;
-      Vector3 middle = Vector3::Zero(), sum = Vector3::Zero();
-      for(const Dipole* dipole = begin; dipole != end; ++dipole) {
-        weight += dipole->moment.norm();
-        middle += dipole->moment.norm() * dipole->position;
-      }
-      middle = weight > 0 ? Vector3(middle / weight) : begin->position;
-      Matrix3 second = Matrix3::Zero(); // sum of offsets from the centre times moments
-      double radius = 0, dipole_reach = 0;
-      for(const Dipole* dipole = begin; dipole != end; ++dipole) {
-        const Vector3 offset = dipole->position - middle;
-        sum += dipole->moment;
-        second += offset * dipole->moment.transpose();
-        radius = std::max(radius, offset.norm());
-        dipole_reach = std::max(dipole_reach, dipole->reach);
-      }
+      const Vector3 middle =
+        sums.weight > 0 ? Vector3(sums.weighted_position / sums.weight) : begin->position;
+      const Matrix3 second = sums.second - middle * sums.moment.transpose();
+      double squared_radius = 0;
+      for(const Dipole* dipole = begin; dipole != end; ++dipole)
+        squared_radius = std::max(squared_radius, (dipole->position - middle).squaredNorm());
+      const double radius = std::sqrt(squared_radius);
       center = middle.cast<float>();
-      moment = sum.cast<float>();
+      moment = sums.moment.cast<float>();
       diagonal = (Vector3::Constant(second.trace()) - 3 * second.diagonal()).cast<float>();
       const Matrix3 twice = second + second.transpose();
       mixed = -3 * Vector3(twice(1, 2), twice(2, 0), twice(0, 1)).cast<float>();
@@ -175,7 +211,7 @@ private:
       // 0.03 at most, below what the dipoles themselves are wrong by near the surface; at 2 it is
       // three times that, for two thirds of the time.
       constexpr double beta = 3;
-      reach = static_cast<float>(std::max(beta * radius, radius + dipole_reach));
+      reach = static_cast<float>(std::max(beta * radius, radius + sums.reach));
     }
 
     /// The sum of its dipoles.
