@@ -8,7 +8,6 @@
 #include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Visible_patches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/oriented_mixture.h>
-#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_orientation.h>
 #include <CGAL/Point_set_skeletonization_3/internal/winding_number.h>

@@ -71,9 +71,9 @@ Row_vectors row_of(const Vector& vector)
   return result;
 }
 
-/// 1 for every value that is positive, else 0.
+/// 1 for every value that is positive, else 0. Refers to the values.
 template <typename Values>
-Row_values is_positive(const Values& values)
+auto is_positive(const Values& values)
 {
   return (values * std::numeric_limits<float>::max()).max(0).min(1);
 }

@@ -9,7 +9,6 @@
 #include <CGAL/Point_set_skeletonization_3/internal/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/bridging.h>
 #include <CGAL/Point_set_skeletonization_3/internal/nearest_points.h>
-#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/quantile.h>
 #include <CGAL/Point_set_skeletonization_3/internal/samples.h>
 #include <CGAL/Point_set_skeletonization_3/internal/skeleton_centring.h>

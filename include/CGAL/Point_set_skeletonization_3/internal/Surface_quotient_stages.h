@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_QUOTIENT_STAGES_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_QUOTIENT_STAGES_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Oriented_surface.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Skeleton_fitting.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Skeletonization_stages.h>

@@ -8,7 +8,6 @@
 #include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Per_thread.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Row_tree.h>
-#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PATCH_ADJACENCY_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PATCH_ADJACENCY_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/neighborhoods.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>

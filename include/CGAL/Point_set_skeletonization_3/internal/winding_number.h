@@ -134,9 +134,7 @@ private:
       const Values<N> x = position.x() - q.col(0), y = position.y() - q.col(1),
                       z = position.z() - q.col(2);
       const Values<N> squared = x * x + y * y + z * z;
-      // Whether they count, 0 or 1.
-      const Values<N> count =
-        ((squared - squared_reach) * std::numeric_limits<float>::max()).max(0).min(1);
+      const Values<N> count = is_positive(squared - squared_reach); // whether they do
       const Values<N> known = squared.max(squared_reach);
       return count * (moment.x() * x + moment.y() * y + moment.z() * z) / (known * known.sqrt());
     }
