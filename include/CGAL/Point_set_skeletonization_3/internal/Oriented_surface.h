@@ -26,15 +26,15 @@ template <typename ConcurrencyTag>
 class Oriented_surface
 {
 public:
-  /// `tree` is over the means.
-  Oriented_surface(const Gaussians& gaussians, const Box_tree& tree)
-    : Oriented_surface(gaussians, tree, patch_neighborhoods<ConcurrencyTag>(tree))
+  /// With the tree over the means.
+  Oriented_surface(const Gaussians& gaussians, const Box_tree& over_means)
+    : Oriented_surface(gaussians, over_means, patch_neighborhoods<ConcurrencyTag>(over_means))
   {}
 
   /// Where the neighbourhoods are known, too.
-  Oriented_surface(const Gaussians& gaussians, Box_tree tree_of_means, const Neighborhoods& nearest)
+  Oriented_surface(const Gaussians& gaussians, Box_tree over_means, const Neighborhoods& nearest)
     : patches(surface_patches<ConcurrencyTag>(gaussians, nearest)), spacing(median_spacing(patches)),
-      tree(std::move(tree_of_means))
+      tree(std::move(over_means))
   {
     orient_patches(patches);
     winding_number = settle_orientation<ConcurrencyTag>(patches, tree);

@@ -162,7 +162,7 @@ private:
   const std::vector<std::size_t>& order_;
   Row_tree tree_;
   std::vector<Row_box> normal_boxes_; ///< Of every node of the tree.
-  std::vector<Eigen::Vector3f> normals_;        ///< In the order of the tree; 0 if not to be trusted.
+  std::vector<Eigen::Vector3f> normals_; ///< In the order of the tree; 0 if not to be trusted.
 };
 
 /// The median of a dozen values, by counting for every one how many are less: in a row that is faster
