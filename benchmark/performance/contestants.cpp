@@ -16,10 +16,6 @@
 
 #include <boost/graph/adjacency_list.hpp>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
-
 #include <iterator>
 #include <optional>
 #include <stdexcept>
@@ -67,7 +63,6 @@ void skeletonize_points(const std::vector<Point>& points, std::size_t threads,
     return;
   }
 #ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
   skeletonize<CGAL::Parallel_tag>(points, stopwatch);
 #else
   throw std::runtime_error("built without TBB");

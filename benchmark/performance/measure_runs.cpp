@@ -5,11 +5,18 @@
 
 #include "forked.h"
 
+#include <CGAL/Real_timer.h>
+
 #include <nlohmann/json.hpp>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#endif
 
 #include <malloc.h>
 #include <sys/resource.h>
 
+#include <cstddef>
 #include <exception>
 
 namespace {
@@ -23,16 +30,35 @@ double peak_memory_so_far()
   return static_cast<double>(usage.ru_maxrss) / 1024; // KiB on Linux
 }
 
+/// Keeps threads busy for a while: it takes a system up to 20 ms until new ones have cores of their own.
+void start_threads([[maybe_unused]] std::size_t threads)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  CGAL::Real_timer timer;
+  timer.start();
+  const auto count = [](std::size_t) {
+    for(volatile int i = 0; i < 10000; i = i + 1) {
+    }
+  };
+  while(threads > 1 && timer.time() < 0.1)
+    tbb::parallel_for(std::size_t(0), 10 * threads, count);
+#endif
+}
+
 /// In the process of a run: what it tells its parent.
 Json report(const Work& work)
 {
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, work.threads);
+#endif
+  start_threads(work.threads);
   Json message;
   message["memory"] = peak_memory_so_far(); // a new process starts with what it has
   message["error"] = "";
   message["stages"] = Json::array();
   Stopwatch stages, total;
   try {
-    total.stage("total", [&] { work(stages); });
+    total.stage("total", [&] { work.run(stages); });
   } catch(const std::exception& error) {
     message["error"] = error.what();
   }

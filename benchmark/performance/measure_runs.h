@@ -23,7 +23,11 @@ struct Measured_runs
   std::string status = "ok";          ///< or what went wrong in the last run
 };
 
-using Work = std::function<void(Stopwatch&)>;
+struct Work
+{
+  std::function<void(Stopwatch&)> run;
+  std::size_t threads = 1; ///< at work before the clock starts, as in a program that has used them
+};
 
 /// Runs every work `runs` times, each time in a process of its own, one after the other and then all
 /// of them again: the speed of a processor changes from minute to minute. A work that goes wrong or

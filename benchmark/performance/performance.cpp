@@ -65,7 +65,7 @@ struct Contestant
 {
   std::string method;
   std::size_t threads;
-  Work work;
+  std::function<void(Stopwatch&)> run;
 };
 
 /// Runs methods and writes their rows as soon as those of an input are there.
@@ -86,7 +86,7 @@ public:
   {
     std::vector<Work> works;
     for(const Contestant& contestant : contestants)
-      works.push_back(contestant.work);
+      works.push_back({contestant.run, contestant.threads});
     const auto measured = measure_runs(works, options_.runs, options_.time_limit);
     for(std::size_t c = 0; c < contestants.size(); ++c) {
       rows_.push_back(
