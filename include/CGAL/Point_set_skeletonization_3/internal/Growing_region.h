@@ -55,6 +55,11 @@ public:
       : first_(1, 0)
   {
     CGAL_precondition(patches.size() <= std::numeric_limits<std::uint32_t>::max());
+    std::size_t size = 0;
+    for(const Patch& patch : patches)
+      size += patch.neighbors.size();
+    edges_.reserve(size);
+    first_.reserve(patches.size() + 1);
     for(std::size_t i = 0; i < patches.size(); ++i) {
       for(std::size_t j : patches[i].neighbors)
         if(has(i, j))

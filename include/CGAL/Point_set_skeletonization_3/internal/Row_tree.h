@@ -98,6 +98,8 @@ public:
     if(tree.nodes().empty())
       return;
     origin_ = (tree.boxes().front().lower + tree.boxes().front().upper) / 2;
+    boxes_.reserve(tree.boxes().size());
+    positions_.reserve(tree.positions().size());
     for(const Box& box : tree.boxes())
       boxes_.push_back({place(box.lower), place(box.upper)});
     for(const Vector3& p : tree.positions())

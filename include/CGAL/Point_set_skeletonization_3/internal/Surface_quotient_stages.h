@@ -21,6 +21,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -150,19 +151,18 @@ private:
       grid_.levels.front().grid.cell_size());
     noise_ = clean.noise;
     patch_of_component_.assign(components.size(), none);
-    std::vector<std::vector<std::size_t>> members(cells.size);
+    std::vector<std::optional<Moments>> moments(cells.size);
     for(std::size_t k = 0; k < kept.size(); ++k) {
-      patch_of_component_[kept[k]] = cells.cell_of[k];
-      members[cells.cell_of[k]].push_back(kept[k]);
+      const std::size_t i = kept[k], patch = cells.cell_of[k];
+      patch_of_component_[i] = patch;
+      if(!moments[patch])
+        moments[patch].emplace(clean.positions[i]);
+      moments[patch]->add(components[i].weight, clean.positions[i]);
     }
     Gaussians patches;
     patches.reserve(cells.size);
-    for(const std::vector<std::size_t>& cell : members) {
-      Moments moments(clean.positions[cell.front()]);
-      for(std::size_t i : cell)
-        moments.add(components[i].weight, clean.positions[i]);
-      patches.push_back(moments.gaussian());
-    }
+    for(const std::optional<Moments>& of_patch : moments)
+      patches.push_back(of_patch->gaussian());
     const bool is_still = !(noise_ > 0) && patches.size() == kept.size(); // nothing has moved
     if(is_still && patches.size() == components.size())
       return patches;

@@ -39,11 +39,17 @@ inline std::vector<Limb_ball> limb_balls(const std::vector<Patch>& patches,
   std::vector<Limb_ball> balls(patches.size());
   using Step = std::tuple<double, std::size_t, std::size_t>; // way, patch, the one it comes from
   std::priority_queue<Step, std::vector<Step>, std::greater<Step>> queue;
-  for(std::size_t i = 0; i < patches.size(); ++i)
-    if((samples[i].position - patches[i].mean).norm() > 0.01 * patches[i].spacing) {
-      balls[i] = {samples[i].position, (samples[i].position - patches[i].mean).norm()};
+  for(std::size_t i = 0; i < patches.size(); ++i) {
+    const double radius = (samples[i].position - patches[i].mean).norm();
+    if(radius > 0.01 * patches[i].spacing)
+      balls[i] = {samples[i].position, radius};
+  }
+  const auto is_unknown = [&](std::size_t i) { return balls[i].radius == 0; };
+  for(std::size_t i = 0; i < patches.size(); ++i) {
+    const std::vector<std::size_t>& neighbors = patches[i].neighbors;
+    if(!is_unknown(i) && std::any_of(neighbors.begin(), neighbors.end(), is_unknown)) // few are
       queue.emplace(0, i, i);
-    }
+  }
   std::vector<bool> done(patches.size(), false);
   while(!queue.empty()) {
     const Step step = queue.top();
@@ -56,7 +62,7 @@ inline std::vector<Limb_ball> limb_balls(const std::vector<Patch>& patches,
     const double limit = std::max(reach * patches[from].spacing, ball_share * balls[from].radius);
     for(std::size_t j : patches[i].neighbors) {
       const double way = std::get<0>(step) + (patches[i].mean - patches[j].mean).norm();
-      if(balls[j].radius == 0 && way < limit && patches[i].normal.dot(patches[j].normal) > crease)
+      if(is_unknown(j) && way < limit && patches[i].normal.dot(patches[j].normal) > crease)
         queue.emplace(way, j, from);
     }
   }

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -136,13 +137,20 @@ std::vector<Patch> surface_patches(const Gaussians& gaussians, const Neighborhoo
         patches[i].neighbors.push_back(j);
     }
   });
-  std::vector<std::vector<std::size_t>> back(patches.size());
-  for(std::size_t i = 0; i < patches.size(); ++i)
+  // Who has found a patch is its neighbour, too: those of one patch after the other.
+  std::vector<std::size_t> end(patches.size() + 1, 0);
+  for(const Patch& patch : patches)
+    for(std::size_t j : patch.neighbors)
+      ++end[j + 1];
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<std::size_t> back(end.back());
+  for(std::size_t i = 0; i < patches.size(); ++i) // afterwards end[j] is what it is called
     for(std::size_t j : patches[i].neighbors)
-      back[j].push_back(i);
+      back[end[j]++] = i;
   parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
     std::vector<std::size_t>& neighbors = patches[i].neighbors;
-    neighbors.insert(neighbors.end(), back[i].begin(), back[i].end());
+    const std::size_t begin = i == 0 ? 0 : end[i - 1];
+    neighbors.insert(neighbors.end(), back.data() + begin, back.data() + end[i]);
     std::sort(neighbors.begin(), neighbors.end());
     neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
   });
