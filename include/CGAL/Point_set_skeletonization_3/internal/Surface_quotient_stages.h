@@ -19,6 +19,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/surface_consolidation.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface_quotient.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -164,8 +165,9 @@ private:
     for(const std::optional<Moments>& of_patch : moments)
       patches.push_back(of_patch->gaussian());
     const bool is_still = !(noise_ > 0) && patches.size() == kept.size(); // nothing has moved
-    if(is_still && patches.size() == components.size())
-      return patches;
+    if(is_still && patches.size() == components.size() &&
+       std::is_sorted(patch_of_component_.begin(), patch_of_component_.end()))
+      return patches; // nor has one another number
     tree = tree_of_means<ConcurrencyTag>(patches);
     if(is_still)
       nearest = renumbered<ConcurrencyTag>(
