@@ -87,6 +87,16 @@ public:
   std::size_t right(std::size_t node) const { return nodes_[left(node)].after; }
   /// The points, sorted into the leaves.
   const std::vector<std::size_t>& order() const { return order_; }
+  /// Values of the points, given in that order, by their indices.
+  template <typename Value>
+  std::vector<Value> by_index(const std::vector<Value>& in_order) const
+  {
+    std::vector<Value> result(order_.size());
+    for(std::size_t k = 0; k < order_.size(); ++k)
+      result[order_[k]] = in_order[k];
+    return result;
+  }
+
   /// Their positions, in that order.
   const std::vector<Vector3>& positions() const { return positions_; }
   /// The bounding box of every node.

@@ -43,17 +43,18 @@ struct Row_vectors
   /// The way from every place to a point.
   Row_vectors to(const Eigen::Vector3f& p) const { return {p.x() - x, p.y() - y, p.z() - z}; }
 
-  /// The way from every place to the nearest point of a box; its sign does not count.
-  Row_vectors to_box(const Row_box& box) const
-  {
-    return {(box.lower.x() - x).max(x - box.upper.x()).max(0),
-            (box.lower.y() - y).max(y - box.upper.y()).max(0),
-            (box.lower.z() - z).max(z - box.upper.z()).max(0)};
-  }
-
   auto dot(const Eigen::Vector3f& v) const { return x * v.x() + y * v.y() + z * v.z(); }
   auto dot(const Row_vectors& v) const { return x * v.x + y * v.y + z * v.z; }
   auto squared_norm() const { return x * x + y * y + z * z; }
+
+  /// Whether one of the places is closer to a box than its distance, which is given squared.
+  bool is_any_closer(const Row_box& box, const Row_values& squared_distance) const
+  {
+    const Row_vectors to_box{(box.lower.x() - x).max(x - box.upper.x()).max(0),
+                             (box.lower.y() - y).max(y - box.upper.y()).max(0),
+                             (box.lower.z() - z).max(z - box.upper.z()).max(0)};
+    return (to_box.squared_norm() - squared_distance).minCoeff() < 0;
+  }
 };
 
 /// `vector(k)` at the `k`-th place of a row.

@@ -25,7 +25,7 @@ public:
   /// `tree` is over the patches; it has to stay.
   Visible_patches(const std::vector<Patch>& patches, const std::vector<double>& confidence,
                   const Box_tree& tree)
-    : order_(tree.order()), tree_(tree)
+    : box_tree_(tree), tree_(tree)
   {
     for(std::size_t i : tree.order()) {
       normals_.push_back(patches[i].normal.cast<float>());
@@ -50,12 +50,9 @@ public:
     const auto look_at_patches = [](Row& row, std::size_t first, std::size_t end) {
       row.look_at(first, end);
     };
-    const std::vector<double> in_order = distances_after<ConcurrencyTag>(
-      order_.size(), [&](std::size_t k) { return place(order_[k]); }, look_at_patches);
-    std::vector<double> result(order_.size());
-    for(std::size_t k = 0; k < order_.size(); ++k)
-      result[order_[k]] = in_order[k];
-    return result;
+    const std::vector<std::size_t>& order = box_tree_.order();
+    return box_tree_.by_index(distances_after<ConcurrencyTag>(
+      order.size(), [&](std::size_t k) { return place(order[k]); }, look_at_patches));
   }
 
 private:
@@ -92,8 +89,7 @@ private:
     /// Whether a patch of a node may be nearer.
     bool may_matter(std::size_t node) const
     {
-      const Row_vectors d = places_.to_box(patches_.tree_.boxes()[node]);
-      return (d.squared_norm() - squared_).minCoeff() < 0;
+      return places_.is_any_closer(patches_.tree_.boxes()[node], squared_);
     }
 
   private:
@@ -119,7 +115,7 @@ private:
     return result;
   }
 
-  const std::vector<std::size_t>& order_;
+  const Box_tree& box_tree_;
   Row_tree tree_;
   // Of the patches, in the order of the tree.
   std::vector<Eigen::Vector3f> normals_;

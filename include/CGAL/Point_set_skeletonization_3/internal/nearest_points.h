@@ -44,8 +44,7 @@ public:
   /// Whether a point of a node may be nearer.
   bool may_matter(std::size_t node) const
   {
-    const Row_vectors d = places_.to_box(tree_.boxes()[node]);
-    return (d.squared_norm() - squared_).minCoeff() < 0;
+    return places_.is_any_closer(tree_.boxes()[node], squared_);
   }
 
 private:

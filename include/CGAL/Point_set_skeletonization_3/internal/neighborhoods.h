@@ -57,8 +57,7 @@ public:
   /// Whether a point of a node may be among the nearest.
   bool may_matter(std::size_t node) const
   {
-    const Row_vectors d = points_.to_box(row_tree_.boxes()[node]);
-    return (d.squared_norm() - smallest_.back()).minCoeff() < 0;
+    return points_.is_any_closer(row_tree_.boxes()[node], smallest_.back());
   }
 
   /// The neighbours of the `k`-th point, which is at `position`.

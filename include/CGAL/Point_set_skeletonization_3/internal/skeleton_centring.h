@@ -83,6 +83,7 @@ private:
   /// A vertex without a cut stays about where it was, and lets its neighbours decide.
   static constexpr double least_weight = 0.1;
 
+  /// Of a vertex that nothing draws.
   Drawn not_drawn(std::size_t v) const
   {
     const Skeleton_graph::Vertex& vertex = graph_.vertices[v];

@@ -101,12 +101,8 @@ public:
   std::vector<double> beside_patches(const Place& place) const
   {
     const std::vector<std::size_t>& order = tree_.order();
-    const std::vector<double> in_order = at_places<ConcurrencyTag>(
-      order.size(), [&](std::size_t k) { return place(order[k]); });
-    std::vector<double> result(order.size());
-    for(std::size_t k = 0; k < order.size(); ++k)
-      result[order[k]] = in_order[k];
-    return result;
+    return tree_.by_index(at_places<ConcurrencyTag>(
+      order.size(), [&](std::size_t k) { return place(order[k]); }));
   }
 
 private:
