@@ -36,7 +36,7 @@ public:
     : patches(surface_patches<ConcurrencyTag>(gaussians, nearest)), spacing(median_spacing(patches)),
       tree(std::move(over_means))
   {
-    orient_patches(patches);
+    orient_patches<ConcurrencyTag>(patches);
     winding_number = settle_orientation<ConcurrencyTag>(patches, tree);
     confidence = orientation_confidence<ConcurrencyTag>(patches);
     part_facing_patches<ConcurrencyTag>(patches, confidence);

@@ -322,6 +322,32 @@ Occupied_cells occupied_cells(const Point_blocks& points, std::size_t maximum_ce
   }
 }
 
+/// Cells of a fine grid, packed, in no order; one may be there several times.
+struct Fine_cells
+{
+  Cubic_grid grid;
+  std::vector<std::uint64_t> cells;
+};
+
+/// The occupied cells of a cloud in the finest cubic grid that has no more than `maximum_cells`.
+template <typename ConcurrencyTag>
+Fine_cells fine_cells(const Point_blocks& points, std::size_t maximum_cells)
+{
+  if(points.size() > maximum_cells) {
+    const auto occupied = occupied_cells<ConcurrencyTag>(points, maximum_cells);
+    return {occupied.grid(), occupied.cells().cells()};
+  }
+  Fine_cells result; // one for every point: there is no need to know which are the same
+  result.cells.resize(points.size());
+  const Cell_of_point cell_of(result.grid);
+  parallel_for<ConcurrencyTag>(points.number_of_blocks(), [&](std::size_t b) {
+    std::size_t i = b * Point_blocks::block_size;
+    for(const Vector3& p : points.block(b))
+      result.cells[i++] = packed(cell_of(p));
+  });
+  return result;
+}
+
 /// The cells that `around` finds around packed ones; of more than `most` some may be missing.
 template <typename ConcurrencyTag>
 Cell_set cells_around(const std::vector<std::uint64_t>& cells, const Cell_around& around,
@@ -336,42 +362,44 @@ Cell_set cells_around(const std::vector<std::uint64_t>& cells, const Cell_around
     });
 }
 
-/// The finest grid with at most `wanted` cells around those of a finer grid: the wider cells are, the
-/// fewer.
-template <typename ConcurrencyTag>
-Cubic_grid patch_grid(const std::vector<std::uint64_t>& cells, const Cubic_grid& fine,
-                      std::size_t wanted)
+/// A level without moments.
+inline Grid_level empty_level(const Cubic_grid& grid, const Cell_set& set)
 {
-  if(cells.size() <= wanted)
-    return fine;
-  const auto too_many = [&](std::int32_t factor) {
-    return cells_around<ConcurrencyTag>(cells, Cell_around(factor), wanted).size() > wanted;
+  std::vector<std::uint64_t> cells = set.cells();
+  std::sort(cells.begin(), cells.end());
+  return {grid, Moment_cells(cells)};
+}
+
+/// The finest level, without moments, with at most `wanted` cells around fine ones: the wider cells
+/// are, the fewer.
+template <typename ConcurrencyTag>
+Grid_level patch_level(const std::vector<std::uint64_t>& cells, const Cubic_grid& fine,
+                       std::size_t wanted)
+{
+  Cell_set found; // so far
+  const auto are_few = [&](std::int32_t factor) {
+    Cell_set around = cells_around<ConcurrencyTag>(cells, Cell_around(factor), wanted);
+    if(around.size() > wanted)
+      return false;
+    found = std::move(around);
+    return true;
   };
-  std::int32_t narrow = 1, wide = 2;
-  for(; too_many(wide); wide *= 2)
+  std::int32_t narrow = 0, wide = 1;
+  for(; !are_few(wide); wide *= 2)
     narrow = wide;
   while(wide - narrow > 1) {
     const std::int32_t middle = (narrow + wide) / 2;
-    (too_many(middle) ? narrow : wide) = middle;
+    (are_few(middle) ? wide : narrow) = middle;
   }
-  return fine.coarsened(wide);
-}
-
-/// The level of `grid`, around `cells` of a finer grid, without moments.
-template <typename ConcurrencyTag>
-Grid_level empty_level(const Cubic_grid& grid, const std::vector<std::uint64_t>& cells,
-                       const Cubic_grid& fine)
-{
-  std::vector<std::uint64_t> around = cells_around<ConcurrencyTag>(cells, grid.around(fine)).cells();
-  std::sort(around.begin(), around.end());
-  return {grid, Moment_cells(around)};
+  return empty_level(fine.coarsened(wide), found);
 }
 
 /// The level of `grid` with the moments in the cells of a finer grid.
 inline Grid_level coarser_level(const Cubic_grid& grid, const Moment_cells& cells,
                                 const Cubic_grid& fine)
 {
-  Grid_level result = empty_level<Sequential_tag>(grid, cells.cells(), fine);
+  Grid_level result =
+    empty_level(grid, cells_around<Sequential_tag>(cells.cells(), grid.around(fine)));
   result.cells.add(grid, cells, fine);
   return result;
 }
@@ -470,11 +498,9 @@ Grid_mixture grid_moments(const Point_blocks& points, const Grid_options& option
   Grid_mixture result;
   if(points.size() == 0)
     return result;
-  const auto fine = occupied_cells<ConcurrencyTag>(points, options.maximum_fine_cells());
-  const std::vector<std::uint64_t> cells = fine.cells().cells();
-  const Cubic_grid grid =
-    patch_grid<ConcurrencyTag>(cells, fine.grid(), options.patches(points.size()));
-  result.levels.push_back(empty_level<ConcurrencyTag>(grid, cells, fine.grid()));
+  const Fine_cells fine = fine_cells<ConcurrencyTag>(points, options.maximum_fine_cells());
+  result.levels.push_back(
+    patch_level<ConcurrencyTag>(fine.cells, fine.grid, options.patches(points.size())));
   result.cell_of_point = add_points<ConcurrencyTag>(points, result.levels.front());
   result.add_coarser_levels(number_of_levels);
   return result;
@@ -491,10 +517,11 @@ inline Grid_mixture grid_moments(const Moment_grid& fine, const Grid_options& op
   Grid_mixture result;
   if(!(points > 0))
     return result;
-  const Cubic_grid grid =
-    patch_grid<Sequential_tag>(fine.cells().cells(), fine.grid(),
-                               options.patches(static_cast<std::size_t>(points)));
-  result.levels.push_back(coarser_level(grid, fine.cells(), fine.grid()));
+  result.levels.push_back(
+    patch_level<Sequential_tag>(fine.cells().cells(), fine.grid(),
+                                options.patches(static_cast<std::size_t>(points))));
+  Grid_level& finest = result.levels.back();
+  finest.cells.add(finest.grid, fine.cells(), fine.grid());
   result.add_coarser_levels(number_of_levels);
   return result;
 }

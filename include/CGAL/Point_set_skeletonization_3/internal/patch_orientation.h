@@ -4,14 +4,18 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PATCH_ORIENTATION_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PATCH_ORIENTATION_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/Connectivity.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <queue>
-#include <tuple>
+#include <cstdint>
+#include <limits>
+#include <map>
 #include <vector>
 
 namespace CGAL {
@@ -46,43 +50,108 @@ inline void turn_outwards(std::vector<Patch>& patches, const std::vector<std::si
       patches[i].normal = -patches[i].normal;
 }
 
-/// Makes the normals of adjacent patches consistent and outward: a spanning tree that crosses the
-/// best continued edges first (Hoppe et al. 1992) hands the sign on, and the sign of the enclosed
-/// volume fixes it for every connected piece.
-inline void orient_patches(std::vector<Patch>& patches)
+/// What two pieces of surface know of each other's signs.
+struct Sign_link
 {
-  using Step = std::tuple<double, std::size_t, std::size_t>; // trust, to, from
-  std::vector<bool> done(patches.size(), false);
-  std::vector<double> best(patches.size(), 0); // trust of the steps to a patch: others come too late
-  std::vector<std::size_t> piece;
-  for(std::size_t root = 0; root < patches.size(); ++root) {
-    if(done[root])
-      continue;
-    piece.clear();
-    std::priority_queue<Step> front;
-    front.emplace(1, root, root);
-    while(!front.empty()) {
-      const std::size_t i = std::get<1>(front.top()), from = std::get<2>(front.top());
-      front.pop();
-      if(done[i])
-        continue;
-      done[i] = true;
-      piece.push_back(i);
-      if(continuation(patches[from], patches[i]) < 0)
-        patches[i].normal = -patches[i].normal;
-      for(std::size_t j : patches[i].neighbors) {
-        if(done[j])
-          continue;
-        const double trust = std::abs(continuation(patches[i], patches[j])) *
-                             std::min(patches[i].planarity, patches[j].planarity);
-        if(trust >= best[j]) {
-          best[j] = trust;
-          front.emplace(trust, j, i);
-        }
-      }
+  double trust;        ///< In [0, 1].
+  bool is_opposite;    ///< One of the two has to be turned around.
+  std::uint32_t a, b;
+};
+
+/// The links between adjacent patches.
+template <typename ConcurrencyTag>
+std::vector<Sign_link> sign_links(const std::vector<Patch>& patches)
+{
+  CGAL_precondition(patches.size() <= std::numeric_limits<std::uint32_t>::max());
+  const auto first_after = [&](std::size_t i) { // neighbours are ascending
+    const std::vector<std::size_t>& neighbors = patches[i].neighbors;
+    return std::upper_bound(neighbors.begin(), neighbors.end(), i);
+  };
+  std::vector<std::size_t> end{0};
+  for(std::size_t i = 0; i < patches.size(); ++i)
+    end.push_back(end.back() + static_cast<std::size_t>(patches[i].neighbors.end() - first_after(i)));
+  std::vector<Sign_link> links(end.back());
+  parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
+    std::size_t k = end[i];
+    for(auto j = first_after(i); j != patches[i].neighbors.end(); ++j) {
+      const double cosine = continuation(patches[i], patches[*j]);
+      const double planarity = std::min(patches[i].planarity, patches[*j].planarity);
+      links[k++] = {std::abs(cosine) * planarity, cosine < 0, static_cast<std::uint32_t>(i),
+                    static_cast<std::uint32_t>(*j)};
     }
-    turn_outwards(patches, piece);
+  });
+  return links;
+}
+
+/// The sign of every patch relative to the first one of its piece.
+class Signed_pieces
+{
+public:
+  /// Every patch is a piece.
+  explicit Signed_pieces(std::size_t size) : connectivity_(2 * size) {}
+
+  /// The first patch of the piece of a patch.
+  std::size_t piece(std::size_t i) { return connectivity_.root(node(i, false)) / 2; }
+  bool is_opposite(std::size_t i) { return connectivity_.root(node(i, false)) % 2 == 1; }
+
+  void join(const Sign_link& link)
+  {
+    if(piece(link.a) == piece(link.b))
+      return;
+    for(bool sign : {false, true})
+      connectivity_.join(node(link.a, sign), node(link.b, sign != link.is_opposite));
   }
+
+private:
+  /// A patch with one of its signs, as if they were two.
+  static std::size_t node(std::size_t i, bool sign) { return 2 * i + (sign ? 1 : 0); }
+
+  Connectivity connectivity_;
+};
+
+/// The signs that the maximum spanning tree of the links hands on (Boruvka's algorithm).
+inline Signed_pieces spanned_pieces(std::vector<Sign_link> links, std::size_t size)
+{
+  Signed_pieces pieces(size);
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> best(size); // link of every piece
+  while(!links.empty()) {
+    std::fill(best.begin(), best.end(), none);
+    for(std::size_t k = 0; k < links.size(); ++k)
+      for(std::size_t piece : {links[k].a, links[k].b})
+        if(best[piece] == none || links[best[piece]].trust < links[k].trust)
+          best[piece] = k;
+    for(std::size_t k : best)
+      if(k != none)
+        pieces.join(links[k]);
+    std::size_t left = 0; // between pieces, from now on by their first patches
+    for(const Sign_link& link : links) {
+      const std::size_t a = pieces.piece(link.a), b = pieces.piece(link.b);
+      const bool turned = pieces.is_opposite(link.a) != pieces.is_opposite(link.b);
+      links[left] = {link.trust, link.is_opposite != turned, static_cast<std::uint32_t>(a),
+                     static_cast<std::uint32_t>(b)};
+      left += a != b;
+    }
+    links.resize(left);
+  }
+  return pieces;
+}
+
+/// Makes the normals of adjacent patches consistent and outward: a spanning tree of the best continued
+/// edges (Hoppe et al. 1992) hands the sign on, and the sign of the enclosed volume fixes it for every
+/// connected piece.
+template <typename ConcurrencyTag>
+void orient_patches(std::vector<Patch>& patches)
+{
+  Signed_pieces pieces = spanned_pieces(sign_links<ConcurrencyTag>(patches), patches.size());
+  std::map<std::size_t, std::vector<std::size_t>> members;
+  for(std::size_t i = 0; i < patches.size(); ++i) {
+    members[pieces.piece(i)].push_back(i);
+    if(pieces.is_opposite(i))
+      patches[i].normal = -patches[i].normal;
+  }
+  for(const auto& piece : members)
+    turn_outwards(patches, piece.second);
 }
 
 /// How far the orientation of every patch can be trusted, in [0, 1]: how flat it is, times how well
