@@ -4,12 +4,9 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_GROWING_REGION_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_GROWING_REGION_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/Patch_edges.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 #include <CGAL/Point_set_skeletonization_3/internal/samples.h>
-
-#include <CGAL/assertions.h>
-
-#include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
 #include <array>
@@ -32,52 +29,6 @@ struct Local_separator
   std::vector<std::size_t> patches;              ///< Ascending; empty if there is no separator.
   std::array<std::vector<std::size_t>, 2> sides; ///< Patches next to it on either side, ascending.
   double length = 0;                             ///< Sum of the spacings of its patches.
-};
-
-/// Edges between neighbouring patches, those from one patch after the other in memory.
-class Patch_edges
-{
-public:
-  struct Edge // small: most of the time of a region goes into reading them
-  {
-    std::uint32_t patch;
-    float length;
-  };
-
-  /// All edges.
-  explicit Patch_edges(const std::vector<Patch>& patches)
-      : Patch_edges(patches, [](std::size_t, std::size_t) { return true; })
-  {}
-
-  /// The edges with `has(from, to)`.
-  template <typename Predicate>
-  Patch_edges(const std::vector<Patch>& patches, const Predicate& has)
-      : first_(1, 0)
-  {
-    CGAL_precondition(patches.size() <= std::numeric_limits<std::uint32_t>::max());
-    std::size_t size = 0;
-    for(const Patch& patch : patches)
-      size += patch.neighbors.size();
-    edges_.reserve(size);
-    first_.reserve(patches.size() + 1);
-    for(std::size_t i = 0; i < patches.size(); ++i) {
-      for(std::size_t j : patches[i].neighbors)
-        if(has(i, j))
-          edges_.push_back({static_cast<std::uint32_t>(j),
-                            static_cast<float>((patches[i].mean - patches[j].mean).norm())});
-      first_.push_back(edges_.size());
-    }
-  }
-
-  /// The edges from a patch, those to lower indices first.
-  boost::iterator_range<const Edge*> operator[](std::size_t i) const
-  {
-    return {edges_.data() + first_[i], edges_.data() + first_[i + 1]};
-  }
-
-private:
-  std::vector<std::size_t> first_; ///< Of every patch, and the number of edges.
-  std::vector<Edge> edges_;
 };
 
 /// A list of patches that grows without a branch: which neighbours of a patch are new is anybody's
@@ -123,7 +74,7 @@ public:
       , front_(patches.size())
       , found_(patches.size())
       , label_(patches.size(), outside)
-      , squared_distance_(patches.size())
+      , squared_distance_(patches.size() + 1)
       , nearest_(patches.size())
   {
     for(const Patch& patch : patches)
@@ -156,16 +107,15 @@ public:
     label_[seed] = region;
     add_neighbors_to_front(seed);
     Result result;
-    bool whole = false; // the front; it cannot fall apart while it stays the same
+    std::size_t size = 0; // of the region when its front was last looked at
     for(double reach = growth * radius; reach < flattest * radius; reach *= growth) {
-      const std::size_t size = region_.size();
       grow(reach);
       if(front_.empty() || region_.size() > patches_.size() / 2)
         break;
-      if(whole && region_.size() == size)
+      if(region_.size() == size)
         continue;
+      size = region_.size();
       const std::vector<Part> parts = connected_parts();
-      whole = parts.empty();
       if(splits(parts)) {
         result.separator = cut(parts);
         break;
@@ -215,7 +165,7 @@ private:
       label = changed_if(is_new, label, front);
     }
     for(std::size_t k = first; k < front_.size(); ++k)
-      squared_distance_[front_[k]] = (means_[front_[k]] - center_).squaredNorm();
+      squared_distance_[k] = (means_[front_[k]] - center_).squaredNorm();
   }
 
   /// Moves what the ball holds from the front into the region, and what is next to that into the
@@ -223,15 +173,21 @@ private:
   void grow(double reach)
   {
     std::size_t kept = 0;
-    for(std::size_t k = 0; k < front_.size(); ++k) {
-      const std::size_t i = front_[k];
-      if(squared_distance_[i] > reach * reach) {
-        front_.replace(kept++, i);
-        continue;
+    for(std::size_t next = 0; next < front_.size();) { // what was added last
+      std::size_t held = region_.size();
+      for(const std::size_t end = front_.size(); next < end; ++next) {
+        const std::size_t i = front_[next];
+        const double squared_distance = squared_distance_[next];
+        const bool holds = squared_distance <= reach * reach;
+        region_.push_back_if(holds, i);
+        front_.replace(kept, i);
+        squared_distance_[kept] = squared_distance;
+        kept += !holds;
       }
-      label_[i] = region;
-      region_.push_back_if(true, i);
-      add_neighbors_to_front(i);
+      for(; held < region_.size(); ++held) {
+        label_[region_[held]] = region;
+        add_neighbors_to_front(region_[held]);
+      }
     }
     front_.shorten(kept);
   }
@@ -253,10 +209,16 @@ private:
     front_.shorten(0);
   }
 
-  /// The front in parts that do not hang together, the largest first; none if it is in one piece.
+  /// Of the larger: limbs do not taper faster in one ball.
+  static constexpr double least_share = 0.2;
+
+  /// The front in parts that do not hang together, the largest first; none if what is beside the
+  /// largest is too little for a limb.
   std::vector<Part> connected_parts()
   {
     std::vector<Part> parts;
+    const auto enough = static_cast<std::size_t>(static_cast<double>(front_.size()) / (1 + least_share));
+    bool splits = true;
     found_.shorten(0);
     const auto add = [&](std::size_t i) {
       const bool is_new = label_[i] == front;
@@ -268,14 +230,19 @@ private:
         continue;
       const std::size_t first = found_.size();
       add(start);
-      for(std::size_t next = first; next < found_.size() && found_.size() < front_.size(); ++next)
+      for(std::size_t next = first; next < found_.size() && splits; ++next) {
         for(const auto& edge : edges_[found_[next]])
           add(edge.patch);
-      if(found_.size() - first < front_.size())
-        parts.emplace_back(found_.begin() + first, found_.end());
+        splits = found_.size() - first <= enough;
+      }
+      if(!splits)
+        break;
+      parts.emplace_back(found_.begin() + first, found_.end());
     }
     for(std::size_t i : front_)
       label_[i] = front;
+    if(!splits)
+      return {};
     std::stable_sort(parts.begin(), parts.end(),
                      [](const Part& a, const Part& b) { return a.size() > b.size(); });
     return parts;
@@ -285,7 +252,6 @@ private:
   /// is what the separators around it leave over; a small part of the front is a dent or a bump.
   static bool splits(const std::vector<Part>& parts)
   {
-    constexpr double least_share = 0.2; // of the larger: limbs do not taper faster in one ball
     constexpr double junction_share = 0.3;
     const auto share = [&](std::size_t a, std::size_t b) {
       return static_cast<double>(parts[a].size()) / static_cast<double>(parts[b].size());
@@ -372,6 +338,7 @@ private:
   Vector3 center_ = Vector3::Zero();
   Patch_list region_; ///< The seed first.
   Patch_list front_;
+  std::vector<double> squared_distance_; ///< To the centre, of the front.
   Patch_list found_; ///< In `connected_parts()`.
 
   // Of every patch and its sample, as they are read most often: those in a row are in the cache.
@@ -379,7 +346,6 @@ private:
 
   // Of every patch; as at the beginning wherever no region is.
   std::vector<Label> label_;
-  std::vector<double> squared_distance_; ///< To the centre, of the front.
   std::vector<Nearest> nearest_; ///< Default outside.
 
   std::vector<std::pair<float, std::size_t>> queue_; ///< Of `find_nearest()`.

@@ -105,7 +105,7 @@ public:
     if(samples.empty())
       return progress(1);
     // In clean data the ball of a patch is unknown where limbs touch; noise hides it in any thin limb.
-    const Limb_joints joints(surface_->patches, samples, noise_);
+    const Limb_joints joints(surface_->patches, samples, noise_, ConcurrencyTag());
     if(!progress(0.1))
       return false;
     const std::vector<Local_separator> separators = disjoint_separators<ConcurrencyTag>(

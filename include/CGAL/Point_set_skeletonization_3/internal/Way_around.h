@@ -203,7 +203,7 @@ public:
       : patches_(patches)
       , samples_(samples)
       , winding_number_(winding_number)
-      , edges_(patches, [&](std::size_t i, std::size_t j) { return joints.are_joined(i, j); })
+      , edges_(patches, joints.pairs(), [&](std::size_t k) { return joints.are_joined(k); })
       , search_([&] { return Way_search(patches_, edges_); })
   {}
 

@@ -16,6 +16,7 @@
 #include <boost/interprocess/mapped_region.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -384,9 +385,19 @@ Grid_level patch_level(const std::vector<std::uint64_t>& cells, const Cubic_grid
     found = std::move(around);
     return true;
   };
-  std::int32_t narrow = 0, wide = 1;
-  for(; !are_few(wide); wide *= 2)
-    narrow = wide;
+  // The least power of two, wherever one begins: each of these grids is part of the next. A surface
+  // that is as large as the square over the diagonal would have about as many cells.
+  std::int32_t wide = 1;
+  while(std::ldexp(1, fine.level) > wide * std::sqrt(static_cast<double>(wanted)))
+    wide *= 2;
+  if(are_few(wide))
+    while(wide > 1 && are_few(wide / 2))
+      wide /= 2;
+  else
+    do
+      wide *= 2;
+    while(!are_few(wide));
+  std::int32_t narrow = wide / 2;
   while(wide - narrow > 1) {
     const std::int32_t middle = (narrow + wide) / 2;
     (are_few(middle) ? wide : narrow) = middle;

@@ -4,8 +4,12 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_LIMB_JOINTS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_LIMB_JOINTS_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/Patch_edges.h>
+#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 #include <CGAL/Point_set_skeletonization_3/internal/samples.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cmath>
@@ -93,24 +97,33 @@ class Limb_joints
 {
 public:
   /// `unknown` is the width where a patch has no ball.
-  Limb_joints(const std::vector<Patch>& patches, const std::vector<Sample>& samples, double unknown)
-    : balls_(limb_balls(patches, samples)), unknown_(unknown)
-  {}
-
-  double width(std::size_t i, std::size_t j) const
+  template <typename ConcurrencyTag = Sequential_tag>
+  Limb_joints(const std::vector<Patch>& patches, const std::vector<Sample>& samples, double unknown,
+              ConcurrencyTag = ConcurrencyTag())
+    : pairs_(neighboring_pairs(patches)), widths_(pairs_.size())
   {
-    const bool known = balls_[i].radius > 0 && balls_[j].radius > 0;
-    return known ? joint_width(balls_[i], balls_[j]) : unknown_;
+    const std::vector<Limb_ball> balls = limb_balls(patches, samples);
+    parallel_for<ConcurrencyTag>(pairs_.size(), [&](std::size_t k) {
+      const Limb_ball &a = balls[pairs_[k].a], &b = balls[pairs_[k].b];
+      widths_[k] = a.radius > 0 && b.radius > 0 ? joint_width(a, b) : unknown;
+    });
   }
+
+  /// The pairs of neighbouring patches.
+  const std::vector<Patch_pair>& pairs() const { return pairs_; }
+
+  /// Of the `k`-th pair.
+  double width(std::size_t k) const { return widths_[k]; }
 
   /// Whether a limb goes on from one to the other. The radius of the joint is half of that of the
   /// limb where two round limbs of the same size cross each other with an eighth of their width.
-  bool are_joined(std::size_t i, std::size_t j) const { return width(i, j) >= least_joint; }
-  static constexpr double least_joint = 0.5;
+  bool are_joined(std::size_t k) const { return width(k) >= least_joint; }
 
 private:
-  std::vector<Limb_ball> balls_;
-  double unknown_;
+  static constexpr double least_joint = 0.5;
+
+  std::vector<Patch_pair> pairs_;
+  std::vector<double> widths_;
 };
 
 } // namespace internal

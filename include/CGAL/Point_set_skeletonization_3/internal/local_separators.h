@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Growing_region.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Patch_edges.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Per_thread.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Way_around.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
@@ -51,13 +52,13 @@ std::vector<std::size_t> separator_seeds(const std::vector<Sample>& samples)
 template <typename ConcurrencyTag>
 std::vector<Local_separator> grown_separators(const std::vector<Patch>& patches,
                                               const std::vector<Sample>& samples,
+                                              const Patch_edges& edges,
                                               const std::vector<std::size_t>& seeds)
 {
   constexpr int enough = 2;
   // Every round grows from seeds all over the shape; what is found counts for the rounds after it,
   // so the result does not depend on the number of threads. More rounds skip hardly more seeds.
   constexpr std::size_t rounds = 8;
-  const Patch_edges edges(patches);
   Per_thread<ConcurrencyTag, Growing_region> region(
     [&] { return Growing_region(patches, edges, samples); });
   std::vector<Growing_region::Result> results(seeds.size());
@@ -164,11 +165,15 @@ std::vector<Local_separator> disjoint_separators(const std::vector<Patch>& patch
                                                  const Winding_number& winding_number)
 {
   std::vector<std::size_t> seeds;
+  std::optional<Patch_edges> edges;
   std::optional<Way_around<ConcurrencyTag>> way_around;
-  parallel_invoke<ConcurrencyTag>(
-    [&] { seeds = separator_seeds<ConcurrencyTag>(samples); },
-    [&] { way_around.emplace(patches, samples, joints, winding_number); });
-  std::vector<Local_separator> found = grown_separators<ConcurrencyTag>(patches, samples, seeds);
+  parallel_invoke<ConcurrencyTag>([&] { seeds = separator_seeds<ConcurrencyTag>(samples); },
+                                  [&] {
+                                    edges.emplace(patches, joints.pairs());
+                                    way_around.emplace(patches, samples, joints, winding_number);
+                                  });
+  std::vector<Local_separator> found =
+    grown_separators<ConcurrencyTag>(patches, samples, *edges, seeds);
   std::sort(found.begin(), found.end(), [](const Local_separator& a, const Local_separator& b) {
     return a.length != b.length ? a.length < b.length : a.patches < b.patches;
   });

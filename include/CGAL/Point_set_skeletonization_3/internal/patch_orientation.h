@@ -5,10 +5,9 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PATCH_ORIENTATION_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/Connectivity.h>
+#include <CGAL/Point_set_skeletonization_3/internal/Patch_edges.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
-
-#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,35 +49,24 @@ inline void turn_outwards(std::vector<Patch>& patches, const std::vector<std::si
       patches[i].normal = -patches[i].normal;
 }
 
-/// What two pieces of surface know of each other's signs.
+/// What two patches that are neighbours, or pieces of surface, know of each other's signs.
 struct Sign_link
 {
-  double trust;        ///< In [0, 1].
-  bool is_opposite;    ///< One of the two has to be turned around.
-  std::uint32_t a, b;
+  Patch_pair pair;
+  double trust;     ///< In [0, 1].
+  bool is_opposite; ///< One of the two has to be turned around.
 };
 
 /// The links between adjacent patches.
 template <typename ConcurrencyTag>
 std::vector<Sign_link> sign_links(const std::vector<Patch>& patches)
 {
-  CGAL_precondition(patches.size() <= std::numeric_limits<std::uint32_t>::max());
-  const auto first_after = [&](std::size_t i) { // neighbours are ascending
-    const std::vector<std::size_t>& neighbors = patches[i].neighbors;
-    return std::upper_bound(neighbors.begin(), neighbors.end(), i);
-  };
-  std::vector<std::size_t> end{0};
-  for(std::size_t i = 0; i < patches.size(); ++i)
-    end.push_back(end.back() + static_cast<std::size_t>(patches[i].neighbors.end() - first_after(i)));
-  std::vector<Sign_link> links(end.back());
-  parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
-    std::size_t k = end[i];
-    for(auto j = first_after(i); j != patches[i].neighbors.end(); ++j) {
-      const double cosine = continuation(patches[i], patches[*j]);
-      const double planarity = std::min(patches[i].planarity, patches[*j].planarity);
-      links[k++] = {std::abs(cosine) * planarity, cosine < 0, static_cast<std::uint32_t>(i),
-                    static_cast<std::uint32_t>(*j)};
-    }
+  const std::vector<Patch_pair> pairs = neighboring_pairs(patches);
+  std::vector<Sign_link> links(pairs.size());
+  parallel_for<ConcurrencyTag>(pairs.size(), [&](std::size_t k) {
+    const Patch &a = patches[pairs[k].a], &b = patches[pairs[k].b];
+    const double cosine = continuation(a, b);
+    links[k] = {pairs[k], std::abs(cosine) * std::min(a.planarity, b.planarity), cosine < 0};
   });
   return links;
 }
@@ -96,10 +84,10 @@ public:
 
   void join(const Sign_link& link)
   {
-    if(piece(link.a) == piece(link.b))
+    if(piece(link.pair.a) == piece(link.pair.b))
       return;
     for(bool sign : {false, true})
-      connectivity_.join(node(link.a, sign), node(link.b, sign != link.is_opposite));
+      connectivity_.join(node(link.pair.a, sign), node(link.pair.b, sign != link.is_opposite));
   }
 
 private:
@@ -118,7 +106,7 @@ inline Signed_pieces spanned_pieces(std::vector<Sign_link> links, std::size_t si
   while(!links.empty()) {
     std::fill(best.begin(), best.end(), none);
     for(std::size_t k = 0; k < links.size(); ++k)
-      for(std::size_t piece : {links[k].a, links[k].b})
+      for(std::size_t piece : {links[k].pair.a, links[k].pair.b})
         if(best[piece] == none || links[best[piece]].trust < links[k].trust)
           best[piece] = k;
     for(std::size_t k : best)
@@ -126,11 +114,12 @@ inline Signed_pieces spanned_pieces(std::vector<Sign_link> links, std::size_t si
         pieces.join(links[k]);
     std::size_t left = 0; // between pieces, from now on by their first patches
     for(const Sign_link& link : links) {
-      const std::size_t a = pieces.piece(link.a), b = pieces.piece(link.b);
-      const bool turned = pieces.is_opposite(link.a) != pieces.is_opposite(link.b);
-      links[left] = {link.trust, link.is_opposite != turned, static_cast<std::uint32_t>(a),
-                     static_cast<std::uint32_t>(b)};
-      left += a != b;
+      const auto [a, b] = link.pair;
+      const Patch_pair pair{static_cast<std::uint32_t>(pieces.piece(a)),
+                            static_cast<std::uint32_t>(pieces.piece(b))};
+      const bool turned = pieces.is_opposite(a) != pieces.is_opposite(b);
+      links[left] = {pair, link.trust, link.is_opposite != turned};
+      left += pair.a != pair.b;
     }
     links.resize(left);
   }

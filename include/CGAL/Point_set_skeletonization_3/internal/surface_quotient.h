@@ -46,18 +46,15 @@ public:
       for(std::size_t i : separators[s].patches)
         separator_of_patch_[i] = s;
 
-    std::vector<Link> links = links_between(patches, joints);
-    const auto narrow = std::stable_partition(links.begin(), links.end(), [](const Link& link) {
-      return link.joint >= Limb_joints::least_joint;
-    });
-    std::stable_sort(narrow, links.end(),
+    std::vector<Link> narrow = join_wide(joints);
+    std::stable_sort(narrow.begin(), narrow.end(),
                      [](const Link& a, const Link& b) { return a.joint > b.joint; });
-    Connectivity whole(2 * separators.size() + patches.size()); // with the separators' two sides one
+    Connectivity whole = connectivity_; // with the separators' two sides one
     for(std::size_t s = 0; s < separators.size(); ++s)
       whole.join(node(s, 0), node(s, 1));
-    for(auto link = links.begin(); link != links.end(); ++link)
-      if(whole.join(link->a, link->b) || link < narrow)
-        connectivity_.join(link->a, link->b);
+    for(const Link& link : narrow)
+      if(whole.join(link.a, link.b))
+        connectivity_.join(link.a, link.b);
   }
 
   /// The separator of a patch; `none` if it belongs to a piece.
@@ -84,20 +81,23 @@ private:
   std::size_t node(std::size_t separator, std::size_t side) const { return 2 * separator + side; }
   std::size_t node(std::size_t patch) const { return 2 * separators_.size() + patch; }
 
-  std::vector<Link> links_between(const std::vector<Patch>& patches, const Limb_joints& joints) const
+  /// Joins what touches in a wide joint; returns the other links.
+  std::vector<Link> join_wide(const Limb_joints& joints)
   {
-    std::vector<Link> links;
-    for(std::size_t i = 0; i < patches.size(); ++i)
-      for(std::size_t j : patches[i].neighbors) {
-        const bool in_one = separator_of_patch_[i] != none &&
-                            separator_of_patch_[i] == separator_of_patch_[j];
-        if(j < i || in_one)
-          continue;
-        const std::size_t a = end(i, j), b = end(j, i);
-        if(a != none && b != none)
-          links.push_back({joints.width(i, j), a, b});
-      }
-    return links;
+    std::vector<Link> narrow;
+    for(std::size_t k = 0; k < joints.pairs().size(); ++k) {
+      const auto [i, j] = joints.pairs()[k];
+      if(separator_of_patch_[i] != none && separator_of_patch_[i] == separator_of_patch_[j])
+        continue;
+      const std::size_t a = end(i, j), b = end(j, i);
+      if(a == none || b == none)
+        continue;
+      if(joints.are_joined(k))
+        connectivity_.join(a, b);
+      else
+        narrow.push_back({joints.width(k), a, b});
+    }
+    return narrow;
   }
 
   /// The node of patch `i` where it touches patch `j`: its own, or if it belongs to a separator that
