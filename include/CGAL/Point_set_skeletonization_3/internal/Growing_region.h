@@ -108,20 +108,27 @@ public:
     add_neighbors_to_front(seed);
     Result result;
     std::size_t size = 0; // of the region when its front was last looked at
+    bool is_in_one_piece = true; // its front, as far as it was looked at, but for little
+    bool is_bounded = true;      // it holds less than half of the shape
     for(double reach = growth * radius; reach < flattest * radius; reach *= growth) {
       grow(reach);
-      if(front_.empty() || region_.size() > patches_.size() / 2)
+      is_bounded = !front_.empty() && region_.size() <= patches_.size() / 2;
+      if(!is_bounded)
         break;
       if(region_.size() == size)
         continue;
       size = region_.size();
       const std::vector<Part> parts = connected_parts();
+      is_in_one_piece = is_in_one_piece && parts.empty();
       if(splits(parts)) {
         result.separator = cut(parts);
         break;
       }
     }
-    const double same = same_place * radius;
+    // A sheet is as thin as its patches are wide, and next to each of them is none of its rims either.
+    const bool is_sheet = is_bounded && is_in_one_piece;
+    const double same =
+      std::max(same_place * radius, is_sheet ? next_to * patches_[seed].spacing : 0);
     for(std::size_t i : region_)
       if(label_[i] != on_separator && (positions_[i] - center_).squaredNorm() < same * same)
         result.same.push_back(i);
@@ -131,6 +138,8 @@ public:
 
   /// Balls whose centres are closer than this, in radii, hold mostly the same.
   static constexpr double same_place = 0.4;
+  /// Patches next to each other are closer than this, in spacings.
+  static constexpr double next_to = 1.5;
 
 private:
   using Part = std::vector<std::size_t>;
