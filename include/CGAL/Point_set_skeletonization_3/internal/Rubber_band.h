@@ -49,13 +49,21 @@ public:
       points_[k] = curve.front();
   }
 
+  /// Whether all of its points are in the solid.
+  bool is_solid() const
+  {
+    const std::vector<double> values = winding_number_.at_places<Sequential_tag>(
+      size_, [&](std::size_t k) { return points_[k]; });
+    return *std::min_element(values.begin(), values.end()) >= air;
+  }
+
   /// Whether the solid lets the curve be moved onto another one point by point, in the straight way
-  /// from each to the nearest: then both shrink, or neither.
+  /// from each to the nearest: then both shrink, or neither. \pre the other one is solid
   bool can_become(const Rubber_band& other) const
   {
     const std::array<Vector3, size> target = other.points_beside(*this);
     for(std::size_t k = 0; k < size; ++k)
-      if(!is_solid_between(points_[k], target[k]))
+      if(!is_solid_before(points_[k], target[k]))
         return false;
     return true;
   }
@@ -184,11 +192,6 @@ private:
   }
 
   static constexpr double air = 0.4; // 0.5 in the middle of a hole of the data, more behind it
-
-  bool is_solid_between(const Vector3& from, const Vector3& to) const
-  {
-    return winding_number_(to) >= air && is_solid_before(from, to);
-  }
 
   /// Whether there is no air on the way to a place.
   bool is_solid_before(const Vector3& from, const Vector3& to) const

@@ -258,18 +258,19 @@ private:
   struct Band
   {
     Rubber_band start;
-    bool shrinks; ///< To a point.
+    bool is_solid; ///< Else another one cannot become this one.
+    bool shrinks;  ///< To a point.
   };
 
   /// The index of a band that shrinks if this one does: a known one, or a new one.
   std::size_t band_like(const Rubber_band& start)
   {
     const auto found = std::find_if(bands_.begin(), bands_.end(), [&](const Band& band) {
-      return start.can_become(band.start);
+      return band.is_solid && start.can_become(band.start);
     });
     const auto result = static_cast<std::size_t>(found - bands_.begin());
     if(found == bands_.end())
-      bands_.push_back({start, false});
+      bands_.push_back({start, start.is_solid(), false});
     return result;
   }
 
