@@ -72,9 +72,9 @@ public:
       , samples_(samples)
       , region_(patches.size())
       , front_(patches.size())
+      , squared_distance_(patches.size() + 1)
       , found_(patches.size())
       , label_(patches.size(), outside)
-      , squared_distance_(patches.size() + 1)
       , nearest_(patches.size())
   {
     for(const Patch& patch : patches)

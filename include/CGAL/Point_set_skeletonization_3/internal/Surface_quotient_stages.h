@@ -19,7 +19,6 @@
 #include <CGAL/Point_set_skeletonization_3/internal/surface_consolidation.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface_quotient.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -136,44 +135,63 @@ public:
 private:
   static constexpr std::size_t number_of_levels = 3; // for who reads the mixture; we read the first
 
-  /// Patches from the mixture without its noise: components that come to lie in one cell are one.
-  /// The tree and the neighbourhoods are those of the components, and become those of the patches.
+  /// Patches from the mixture without its noise and outliers. The tree and the neighbourhoods are those
+  /// of the components, and become those of the patches.
   Gaussians consolidated(Box_tree& tree, Neighborhoods& nearest)
   {
-    const Gaussians& components = mixture.front();
     const Consolidated_surface clean =
-      Surface_consolidation<ConcurrencyTag>(components, tree, nearest)();
-    std::vector<std::size_t> kept;
-    for(std::size_t i = 0; i < components.size(); ++i)
-      if(!clean.outlier[i])
-        kept.push_back(i);
-    const Grid_cells cells = grid_cells(
-      kept.size(), [&](std::size_t k) { return clean.positions[kept[k]]; },
-      grid_.levels.front().grid.cell_size());
+      Surface_consolidation<ConcurrencyTag>(mixture.front(), tree, nearest)();
     noise_ = clean.noise;
-    patch_of_component_.assign(components.size(), none);
+    patch_of_component_.assign(mixture.front().size(), none);
+    if(noise_ > 0) {
+      const Gaussians patches = merged(clean);
+      tree = tree_of_means<ConcurrencyTag>(patches);
+      nearest = patch_neighborhoods<ConcurrencyTag>(tree);
+      return patches;
+    }
+    const Gaussians patches = kept(clean); // nothing has moved
+    if(patches.size() < patch_of_component_.size()) {
+      tree = tree_of_means<ConcurrencyTag>(patches);
+      nearest = renumbered<ConcurrencyTag>(
+        std::move(nearest), patch_of_component_, tree, patch_neighbors + 1);
+    }
+    return patches;
+  }
+
+  /// A patch for every component that is left.
+  Gaussians kept(const Consolidated_surface& clean)
+  {
+    Gaussians patches;
+    patches.reserve(clean.positions.size());
+    for(std::size_t i = 0; i < clean.positions.size(); ++i)
+      if(!clean.outlier[i]) {
+        patch_of_component_[i] = patches.size();
+        patches.push_back({mixture.front()[i].weight, clean.positions[i], Matrix3::Zero()});
+      }
+    return patches;
+  }
+
+  /// The same where components have moved: those that came to lie in one cell are one patch.
+  Gaussians merged(const Consolidated_surface& clean)
+  {
+    std::vector<std::size_t> left;
+    for(std::size_t i = 0; i < clean.positions.size(); ++i)
+      if(!clean.outlier[i])
+        left.push_back(i);
+    const Grid_cells cells = grid_cells(
+      left.size(), [&](std::size_t k) { return clean.positions[left[k]]; },
+      grid_.levels.front().grid.cell_size());
     std::vector<std::optional<Moments>> moments(cells.size);
-    for(std::size_t k = 0; k < kept.size(); ++k) {
-      const std::size_t i = kept[k], patch = cells.cell_of[k];
+    for(std::size_t k = 0; k < left.size(); ++k) {
+      const std::size_t i = left[k], patch = cells.cell_of[k];
       patch_of_component_[i] = patch;
       if(!moments[patch])
         moments[patch].emplace(clean.positions[i]);
-      moments[patch]->add(components[i].weight, clean.positions[i]);
+      moments[patch]->add(mixture.front()[i].weight, clean.positions[i]);
     }
     Gaussians patches;
-    patches.reserve(cells.size);
     for(const std::optional<Moments>& of_patch : moments)
       patches.push_back(of_patch->gaussian());
-    const bool is_still = !(noise_ > 0) && patches.size() == kept.size(); // nothing has moved
-    if(is_still && patches.size() == components.size() &&
-       std::is_sorted(patch_of_component_.begin(), patch_of_component_.end()))
-      return patches; // nor has one another number
-    tree = tree_of_means<ConcurrencyTag>(patches);
-    if(is_still)
-      nearest = renumbered<ConcurrencyTag>(
-        std::move(nearest), patch_of_component_, tree, patch_neighbors + 1);
-    else
-      nearest = patch_neighborhoods<ConcurrencyTag>(tree);
     return patches;
   }
 
@@ -182,7 +200,7 @@ private:
                             const std::vector<Local_separator>& separators)
   {
     const Surface_quotient quotient =
-      surface_quotient(surface_->patches, samples, joints, separators);
+      surface_quotient<ConcurrencyTag>(surface_->patches, samples, joints, separators);
     graph = quotient.graph;
     const auto patches_of = patches_of_vertices(quotient.vertex_of_patch, graph.vertices.size());
     const std::vector<bool> stray = stray_vertices(graph, weights(patches_of));

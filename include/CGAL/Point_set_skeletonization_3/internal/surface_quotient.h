@@ -8,6 +8,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/limb_joints.h>
 #include <CGAL/Point_set_skeletonization_3/internal/local_separators.h>
+#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -158,10 +159,10 @@ inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
 
 /// The surface quotient: every separator and every piece between separators made one vertex, in the
 /// middle of the samples of its patches.
-inline Surface_quotient surface_quotient(const std::vector<Patch>& patches,
-                                         const std::vector<Sample>& samples,
-                                         const Limb_joints& joints,
-                                         const std::vector<Local_separator>& separators)
+template <typename ConcurrencyTag>
+Surface_quotient surface_quotient(const std::vector<Patch>& patches,
+                                  const std::vector<Sample>& samples, const Limb_joints& joints,
+                                  const std::vector<Local_separator>& separators)
 {
   constexpr std::size_t none = Surface_cut::none;
   Surface_cut surface(patches, joints, separators);
@@ -206,8 +207,9 @@ inline Surface_quotient surface_quotient(const std::vector<Patch>& patches,
                                separators[e.first].patches.end());
   for(const auto& pair : beside)
     members[pair.first] = separators[pair.second].sides[1];
-  for(std::size_t v = 0; v < members.size(); ++v)
+  parallel_for<ConcurrencyTag>(members.size(), [&](std::size_t v) {
     result.graph.vertices[v] = middle(members[v], samples);
+  });
   return result;
 }
 
