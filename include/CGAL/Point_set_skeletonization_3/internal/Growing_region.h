@@ -125,10 +125,10 @@ public:
         break;
       }
     }
-    // A sheet is as thin as its patches are wide, and next to each of them is none of its rims either.
+    // A sheet may be thinner than its patches are wide. Where a limb is, every ring may count.
     const bool is_sheet = is_bounded && is_in_one_piece;
     const double same =
-      std::max(same_place * radius, is_sheet ? next_to * patches_[seed].spacing : 0);
+      std::max(same_place * radius, is_sheet ? same_patch * patches_[seed].spacing : 0);
     for(std::size_t i : region_)
       if(label_[i] != on_separator && (positions_[i] - center_).squaredNorm() < same * same)
         result.same.push_back(i);
@@ -138,8 +138,8 @@ public:
 
   /// Balls whose centres are closer than this, in radii, hold mostly the same.
   static constexpr double same_place = 0.4;
-  /// Patches next to each other are closer than this, in spacings.
-  static constexpr double next_to = 1.5;
+  /// Half of the diagonal of a patch, in spacings.
+  static constexpr double same_patch = 0.7;
 
 private:
   using Part = std::vector<std::size_t>;
