@@ -32,6 +32,8 @@ public:
   /// Joins the sets of `a` and `b`; false if they were one already.
   bool join(std::size_t a, std::size_t b)
   {
+    if(parent_[a] == parent_[b]) // most of the time
+      return false;
     a = root(a);
     b = root(b);
     parent_[std::max(a, b)] = std::min(a, b); // the smallest is the root: no dependence on order

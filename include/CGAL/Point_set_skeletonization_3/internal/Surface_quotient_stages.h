@@ -14,6 +14,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/local_separators.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial_balls.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial_projection.h>
+#include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 #include <CGAL/Point_set_skeletonization_3/internal/skeleton_pruning.h>
 #include <CGAL/Point_set_skeletonization_3/internal/stray_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface_consolidation.h>
@@ -103,15 +104,19 @@ public:
   {
     if(samples.empty())
       return progress(1);
-    // In clean data the ball of a patch is unknown where limbs touch; noise hides it in any thin limb.
-    const Limb_joints joints(surface_->patches, samples, noise_, ConcurrencyTag());
+    std::vector<std::size_t> seeds;
+    std::optional<Limb_joints> joints;
+    parallel_invoke<ConcurrencyTag>(
+      [&] { seeds = separator_seeds<ConcurrencyTag>(samples); },
+      // In clean data the ball of a patch is unknown where limbs touch; noise hides it in any thin limb.
+      [&] { joints.emplace(surface_->patches, samples, noise_, ConcurrencyTag()); });
     if(!progress(0.1))
       return false;
     const std::vector<Local_separator> separators = disjoint_separators<ConcurrencyTag>(
-      surface_->patches, samples, joints, *surface_->winding_number);
+      surface_->patches, samples, seeds, *joints, *surface_->winding_number);
     if(!progress(0.6))
       return false;
-    const std::vector<bool> outlier = connect(joints, separators);
+    const std::vector<bool> outlier = connect(*joints, separators);
     if(!progress(0.7))
       return false;
     const auto points_of_sample = points_of_samples(outlier);

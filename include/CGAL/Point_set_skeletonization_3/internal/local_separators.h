@@ -156,22 +156,20 @@ private:
   std::vector<bool> taken_; ///< Of every patch.
 };
 
-/// Separators that cut limbs, all over the shape, the shortest first and none touching a patch of
+/// Separators that cut limbs, grown from the seeds, the shortest first and none touching a patch of
 /// another: of all that cross one place the tightest is the cross-section.
 template <typename ConcurrencyTag = Sequential_tag>
 std::vector<Local_separator> disjoint_separators(const std::vector<Patch>& patches,
                                                  const std::vector<Sample>& samples,
+                                                 const std::vector<std::size_t>& seeds,
                                                  const Limb_joints& joints,
                                                  const Winding_number& winding_number)
 {
-  std::vector<std::size_t> seeds;
   std::optional<Patch_edges> edges;
   std::optional<Way_around<ConcurrencyTag>> way_around;
-  parallel_invoke<ConcurrencyTag>([&] { seeds = separator_seeds<ConcurrencyTag>(samples); },
-                                  [&] {
-                                    edges.emplace(patches, joints.pairs());
-                                    way_around.emplace(patches, samples, joints, winding_number);
-                                  });
+  parallel_invoke<ConcurrencyTag>(
+    [&] { edges.emplace(patches, joints.pairs()); },
+    [&] { way_around.emplace(patches, samples, joints, winding_number); });
   std::vector<Local_separator> found =
     grown_separators<ConcurrencyTag>(patches, samples, *edges, seeds);
   std::sort(found.begin(), found.end(), [](const Local_separator& a, const Local_separator& b) {

@@ -205,8 +205,7 @@ std::vector<double> median_filtered(const std::vector<double>& values,
 
 /// Bounds every value by those of the patches around it plus half of the way there: thickness changes
 /// no faster. What faces the tip of a limb is the body at its other end, not the tip's other side.
-template <typename ConcurrencyTag>
-void limit_slope(std::vector<double>& values, const std::vector<Patch>& patches)
+inline void limit_slope(std::vector<double>& values, const std::vector<Patch>& patches)
 {
   constexpr double slope = 0.5;
   using Step = std::pair<double, std::size_t>;
@@ -221,11 +220,8 @@ void limit_slope(std::vector<double>& values, const std::vector<Patch>& patches)
     return std::any_of(patches[i].neighbors.begin(), patches[i].neighbors.end(),
                        [&](std::size_t j) { return exceeds(j, bound(i, j)); });
   };
-  std::vector<char> begins(values.size());
-  parallel_for<ConcurrencyTag>(
-    values.size(), [&](std::size_t i) { begins[i] = values[i] > 0 && bounds_another(i); });
   for(std::size_t i = 0; i < values.size(); ++i)
-    if(begins[i])
+    if(values[i] > 0 && bounds_another(i))
       queue.emplace(values[i], i);
   while(!queue.empty()) {
     const auto [value, i] = queue.top();
@@ -252,7 +248,7 @@ std::vector<double> medial_ball_radii(const std::vector<Patch>& patches,
   std::vector<double> radii = Facing_balls(patches, confidence, tree).radii<ConcurrencyTag>();
   for(int pass = 0; pass < 3; ++pass)
     radii = median_filtered<ConcurrencyTag>(radii, patches);
-  limit_slope<ConcurrencyTag>(radii, patches);
+  limit_slope(radii, patches);
   return radii;
 }
 

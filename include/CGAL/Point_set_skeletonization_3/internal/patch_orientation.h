@@ -103,23 +103,27 @@ inline Signed_pieces spanned_pieces(std::vector<Sign_link> links, std::size_t si
   Signed_pieces pieces(size);
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   std::vector<std::size_t> best(size); // link of every piece
+  std::vector<std::uint32_t> piece(size);
+  std::vector<char> is_opposite(size);
   while(!links.empty()) {
     std::fill(best.begin(), best.end(), none);
     for(std::size_t k = 0; k < links.size(); ++k)
-      for(std::size_t piece : {links[k].pair.a, links[k].pair.b})
-        if(best[piece] == none || links[best[piece]].trust < links[k].trust)
-          best[piece] = k;
+      for(std::size_t i : {links[k].pair.a, links[k].pair.b})
+        if(best[i] == none || links[best[i]].trust < links[k].trust)
+          best[i] = k;
     for(std::size_t k : best)
       if(k != none)
         pieces.join(links[k]);
+    for(std::size_t i = 0; i < size; ++i) {
+      piece[i] = static_cast<std::uint32_t>(pieces.piece(i));
+      is_opposite[i] = pieces.is_opposite(i);
+    }
     std::size_t left = 0; // between pieces, from now on by their first patches
     for(const Sign_link& link : links) {
       const auto [a, b] = link.pair;
-      const Patch_pair pair{static_cast<std::uint32_t>(pieces.piece(a)),
-                            static_cast<std::uint32_t>(pieces.piece(b))};
-      const bool turned = pieces.is_opposite(a) != pieces.is_opposite(b);
-      links[left] = {pair, link.trust, link.is_opposite != turned};
-      left += pair.a != pair.b;
+      const bool is_turned = is_opposite[a] != is_opposite[b];
+      links[left] = {{piece[a], piece[b]}, link.trust, link.is_opposite != is_turned};
+      left += piece[a] != piece[b];
     }
     links.resize(left);
   }

@@ -221,7 +221,8 @@ public:
   /// Refers to the mixture, to the tree over its means and to their `neighborhoods()`, of nine or more.
   Surface_consolidation(const Gaussians& mixture, const Box_tree& tree, const Neighborhoods& nearest)
     : mixture_(mixture), tree_(&tree), nearest_(nearest), spacings_(spacings()),
-      spacing_(std::max(quantile(spacings_, 0.5), std::numeric_limits<double>::min()))
+      spacing_(std::max(quantile(spacings_, 0.5), std::numeric_limits<double>::min())),
+      radii_(radii())
   {
     for(const Gaussian& g : mixture)
       result_.positions.push_back(g.mean);
@@ -294,9 +295,14 @@ private:
   static constexpr double unknown = -1; // density
 
   /// Radius of a window size: from two spacings, the narrowest with a plane in it, by steps of 1.4.
-  double radius(std::size_t size) const
+  double radius(std::size_t size) const { return radii_[size]; }
+
+  std::array<double, sizes> radii() const
   {
-    return 2 * spacing_ * std::pow(1.4, static_cast<double>(size));
+    std::array<double, sizes> result;
+    for(std::size_t size = 0; size < sizes; ++size)
+      result[size] = 2 * spacing_ * std::pow(1.4, static_cast<double>(size));
+    return result;
   }
 
   /// What is left of the mixture, where it is now.
@@ -597,6 +603,7 @@ private:
   const Neighborhoods& nearest_;
   std::vector<double> spacings_;
   double spacing_;
+  std::array<double, sizes> radii_; ///< Of the windows.
   std::vector<double> density_; ///< Of every component, in its window; may be `unknown`.
   std::size_t size_ = 0;
   double strength_ = 0;
