@@ -51,19 +51,39 @@ auto exponential_of_32_times(const Array& x)
   return polynomial.square().square().square().square().square();
 }
 
-/// A mixture with a tree over it, in whose order it is.
-struct Mixture_tree
+/// A mixture with the tree over its means; copies share both.
+class Mixture_tree
 {
-  /// `tree_of_means` is over the components.
-  Mixture_tree(const Gaussians& components, Box_tree tree_of_means) : tree(std::move(tree_of_means))
+public:
+  /// Of components and a tree that stay.
+  Mixture_tree(const Gaussians* components, const Box_tree* tree_of_means)
+    : components_(std::shared_ptr<void>(), components), tree_(std::shared_ptr<void>(), tree_of_means)
+  {}
+
+  template <typename ConcurrencyTag>
+  Mixture_tree(Gaussians components, ConcurrencyTag)
+    : components_(std::make_shared<Gaussians>(std::move(components))),
+      tree_(std::make_shared<Box_tree>(tree_of_means<ConcurrencyTag>(*components_)))
+  {}
+
+  const Box_tree& tree() const { return *tree_; }
+
+  /// The `k`-th in the order of the tree.
+  const Gaussian& operator[](std::size_t k) const { return (*components_)[tree_->order()[k]]; }
+
+  /// All in that order.
+  Gaussians in_order() const
   {
-    mixture.reserve(components.size());
-    for(std::size_t i : tree.order())
-      mixture.push_back(components[i]);
+    Gaussians result;
+    result.reserve(components_->size());
+    for(std::size_t i : tree_->order())
+      result.push_back((*components_)[i]);
+    return result;
   }
 
-  Box_tree tree;
-  Gaussians mixture;
+private:
+  std::shared_ptr<const Gaussians> components_;
+  std::shared_ptr<const Box_tree> tree_;
 };
 
 /// The mixture seen through windows of one size around the points of a small box: what they may see
@@ -74,7 +94,7 @@ public:
   Window_view(const Mixture_tree& components, double radius, const Box& box)
     : radius_(radius), origin_((box.lower + box.upper) / 2)
   {
-    const Box_tree& tree = components.tree;
+    const Box_tree& tree = components.tree();
     const Box wide{box.lower.array() - reach * radius, box.upper.array() + reach * radius};
     const auto enter = [&](std::size_t node) {
       return (tree.boxes()[node].lower.array() < wide.upper.array()).all() &&
@@ -90,7 +110,7 @@ public:
     offsets_.resize(size, 3);
     moments_.resize(10, size);
     for(Eigen::Index i = 0; i < size; ++i) {
-      const Gaussian& g = components.mixture[seen[static_cast<std::size_t>(i)]];
+      const Gaussian& g = components[seen[static_cast<std::size_t>(i)]];
       const Vector3 d = g.mean - origin_;
       Symmetric_sum second;
       second.add_product(d, d);
@@ -179,22 +199,21 @@ class Mixture_window
 {
 public:
   template <typename ConcurrencyTag>
-  Mixture_window(std::shared_ptr<const Mixture_tree> finest, double spacing, double radius,
+  Mixture_window(const Mixture_tree& finest, double spacing, double radius,
                  ConcurrencyTag)
-    : radius_(radius), components_(std::move(finest))
+    : radius_(radius), components_(finest)
   {
     constexpr double resolution = 1.0 / 3; // of the radius: two dozen components in a window
     if(!(resolution * radius > spacing))
       return;
-    const Gaussians coarse = coarsened(components_->mixture, resolution * radius);
-    components_ = std::make_shared<Mixture_tree>(coarse, tree_of_means<ConcurrencyTag>(coarse));
+    components_ = Mixture_tree(coarsened(finest.in_order(), resolution * radius), ConcurrencyTag());
   }
 
-  Window_view around(const Box& box) const { return {*components_, radius_, box}; }
+  Window_view around(const Box& box) const { return {components_, radius_, box}; }
 
 private:
   double radius_;
-  std::shared_ptr<const Mixture_tree> components_;
+  Mixture_tree components_;
 };
 
 /// Where the components of a mixture lie once the noise is taken off.
@@ -306,25 +325,28 @@ private:
   }
 
   /// What is left of the mixture, where it is now.
-  const std::shared_ptr<const Mixture_tree>& finest()
+  const Mixture_tree& finest()
   {
     if(finest_)
-      return finest_;
+      return *finest_;
+    const auto& outlier = result_.outlier;
+    if(tree_ && std::none_of(outlier.begin(), outlier.end(), [](bool is) { return is; })) {
+      finest_.emplace(&mixture_, tree_);
+      kept_ = tree_->order();
+      return *finest_;
+    }
     Gaussians components;
     std::vector<std::size_t> kept;
-    components.reserve(mixture_.size());
     for(std::size_t i = 0; i < mixture_.size(); ++i)
-      if(!result_.outlier[i]) {
+      if(!outlier[i]) {
         components.push_back({mixture_[i].weight, result_.positions[i], mixture_[i].covariance});
         kept.push_back(i);
       }
-    const bool is_whole = tree_ && kept.size() == mixture_.size();
-    finest_ = std::make_shared<Mixture_tree>(
-      components, is_whole ? *tree_ : tree_of_means<ConcurrencyTag>(components));
+    finest_.emplace(std::move(components), ConcurrencyTag());
     kept_.clear();
-    for(std::size_t k : finest_->tree.order())
+    for(std::size_t k : finest_->tree().order())
       kept_.push_back(kept[k]);
-    return finest_;
+    return *finest_;
   }
 
   void make_window(std::size_t size)
@@ -358,7 +380,7 @@ private:
   void for_each_kept(const Visit& visit)
   {
     constexpr std::size_t most = 64; // components: about as many as one of them sees
-    const Box_tree& tree = finest()->tree;
+    const Box_tree& tree = finest().tree();
     std::vector<std::size_t> groups;
     for(std::size_t n = 0; n < tree.nodes().size();) {
       const Box_tree::Node& node = tree.nodes()[n];
@@ -406,7 +428,7 @@ private:
   void forget_windows()
   {
     tree_ = nullptr;
-    finest_ = nullptr;
+    finest_.reset();
     windows_ = {};
   }
 
@@ -526,7 +548,7 @@ private:
   {
     // In windows of coarser components it is part of one up to a cell away.
     constexpr double sight = Window_view::reach + 0.6; // in radii: the diagonal of 1/3
-    const Box_tree& tree = finest()->tree;
+    const Box_tree& tree = finest().tree();
     tree.visit_within(result_.positions[component], sight * radius(sizes - 1),
                       [&](std::size_t k, double squared_distance) {
                         const double far = sight * radius(size_for(kept_[k]));
@@ -559,7 +581,7 @@ private:
   {
     constexpr double apart = 1.5;
     constexpr double thin = 0.3; // Gaussian noise at 1.6 standard deviations
-    const Box_tree& tree = finest()->tree;
+    const Box_tree& tree = finest().tree();
     std::vector<double> densities; // in the order of the tree
     for(std::size_t i : kept_)
       densities.push_back(density_[i]);
@@ -608,7 +630,7 @@ private:
   std::size_t size_ = 0;
   double strength_ = 0;
   std::vector<std::size_t> kept_; ///< The components of `finest_`, in its order.
-  std::shared_ptr<const Mixture_tree> finest_;
+  std::optional<Mixture_tree> finest_;
   std::array<std::unique_ptr<Mixture_window>, sizes> windows_;
   double noise_ = 0; ///< Thickness of the noisy surface: one standard deviation.
   Consolidated_surface result_;
