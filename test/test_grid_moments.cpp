@@ -51,10 +51,10 @@ public:
 
   std::size_t size() const override { return points_.size(); }
 
-  Points block(std::size_t b) const override
+  Block block(std::size_t b) const override
   {
     const auto begin = points_.begin() + static_cast<std::ptrdiff_t>(b * block_size);
-    return Points(begin, begin + std::min<std::ptrdiff_t>(block_size, points_.end() - begin));
+    return Block(begin, begin + std::min<std::ptrdiff_t>(block_size, points_.end() - begin));
   }
 
 private:

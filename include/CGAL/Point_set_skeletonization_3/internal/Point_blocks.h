@@ -8,6 +8,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/Normalization.h>
 #include <CGAL/Point_set_skeletonization_3/internal/parallel_for.h>
 
+#include <boost/container/static_vector.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
@@ -25,13 +27,16 @@ public:
   /// Points in a block, which fits into the first cache; the last one may have fewer.
   static constexpr std::size_t block_size = 1 << 8;
 
+  /// On the stack: there is one for every few hundred points.
+  using Block = boost::container::static_vector<Vector3, block_size>;
+
   virtual ~Point_blocks() = default;
 
   /// Number of points.
   virtual std::size_t size() const = 0;
 
   /// The `b`-th block; may be called concurrently. \pre `b < number_of_blocks()`
-  virtual std::vector<Vector3> block(std::size_t b) const = 0;
+  virtual Block block(std::size_t b) const = 0;
 
   std::size_t number_of_blocks() const { return (size() + block_size - 1) / block_size; }
 
@@ -76,9 +81,9 @@ public:
 
   std::size_t size() const override { return size_; }
 
-  std::vector<Vector3> block(std::size_t b) const override
+  Block block(std::size_t b) const override
   {
-    std::vector<Vector3> result(size_of_block(b));
+    Block result(size_of_block(b), boost::container::default_init);
     auto item = first_[b];
     for(Vector3& p : result)
       p = normalization_.to_unit(Normalization::vector(get(map_, *item++)));

@@ -47,7 +47,7 @@ public:
   void read(const Point_blocks& points) override
   {
     for(std::size_t b = 0; b < points.number_of_blocks(); ++b) {
-      const std::vector<Vector3> block = points.block(b);
+      const Point_blocks::Block block = points.block(b);
       points_.insert(points_.end(), block.begin(), block.end());
     }
   }
