@@ -45,7 +45,8 @@ bool project_to_l1_medians(const Gaussian_mixture_3<GeomTraits>& mixture,
       components, internal::tree_of_means<ConcurrencyTag>(components));
     const std::size_t iterations = internal::Projection_options().maximum_iterations;
     const internal::Projection_outcome outcome = internal::project_patches<ConcurrencyTag>(
-      surface, internal::projection_options(np, iterations), internal::progress_of(np), projected);
+      components, surface, internal::projection_options(np, iterations), internal::progress_of(np),
+      projected);
     if(outcome.reason == Projection_stop_reason::cancelled)
       return false;
   }

@@ -7,7 +7,6 @@
 #include <CGAL/Point_set_skeletonization_3/internal/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Visible_patches.h>
-#include <CGAL/Point_set_skeletonization_3/internal/oriented_mixture.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
 #include <CGAL/Point_set_skeletonization_3/internal/patch_orientation.h>
 #include <CGAL/Point_set_skeletonization_3/internal/winding_number.h>
@@ -41,14 +40,6 @@ public:
     confidence = orientation_confidence<ConcurrencyTag>(patches);
     part_facing_patches<ConcurrencyTag>(patches, confidence);
     visible = std::make_unique<Visible_patches>(patches, confidence, tree);
-
-    // A patch of a few points is thinner than the surface is known; a tenth of the spacing is not.
-    const Matrix3 blur = 0.01 * spacing * spacing * Matrix3::Identity();
-    components.reserve(gaussians.size());
-    for(std::size_t i = 0; i < gaussians.size(); ++i)
-      components.push_back({{gaussians[i].weight, gaussians[i].mean, gaussians[i].covariance + blur},
-                            patches[i].normal,
-                            confidence[i]});
   }
 
   // Its parts refer to each other.
@@ -61,7 +52,6 @@ public:
   std::vector<double> confidence;
   std::unique_ptr<Winding_number> winding_number;
   std::unique_ptr<Visible_patches> visible;
-  std::vector<Oriented_gaussian> components; ///< Of the mixture, one for every patch.
 };
 
 } // namespace internal

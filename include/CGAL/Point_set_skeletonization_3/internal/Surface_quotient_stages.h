@@ -30,9 +30,10 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Projects the patches of a mixture level to their local medians, one sample per patch.
+/// Projects the patches of a mixture level, `components`, to their local medians, one sample per patch.
 template <typename ConcurrencyTag>
-Projection_outcome project_patches(const Oriented_surface<ConcurrencyTag>& surface,
+Projection_outcome project_patches(const Gaussians& components,
+                                   const Oriented_surface<ConcurrencyTag>& surface,
                                    const Projection_options& options, const Progress& progress,
                                    std::vector<Sample>& samples)
 {
@@ -46,7 +47,7 @@ Projection_outcome project_patches(const Oriented_surface<ConcurrencyTag>& surfa
   samples = medial_samples<ConcurrencyTag>(surface.patches, surface.confidence,
                                            *surface.winding_number, balls, options);
   const Projection_outcome outcome =
-    project_samples<ConcurrencyTag>(samples, surface, options, progress.part(0.6, 0.9));
+    project_samples<ConcurrencyTag>(samples, components, surface, options, progress.part(0.6, 0.9));
   bring_back_lost_samples<ConcurrencyTag>(samples, surface.patches, *surface.winding_number);
   return outcome;
 }
@@ -95,7 +96,7 @@ public:
       std::make_unique<Oriented_surface<ConcurrencyTag>>(clean, std::move(tree), nearest);
     if(!progress(0.6))
       return false;
-    outcome = project_patches<ConcurrencyTag>(*surface_, options_.projection,
+    outcome = project_patches<ConcurrencyTag>(clean, *surface_, options_.projection,
                                               progress.part(0.6, 0.9), samples);
     return outcome.reason != Projection_stop_reason::cancelled && progress(1);
   }

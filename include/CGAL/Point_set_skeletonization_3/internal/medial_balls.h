@@ -12,9 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <limits>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -208,31 +206,24 @@ std::vector<double> median_filtered(const std::vector<double>& values,
 inline void limit_slope(std::vector<double>& values, const std::vector<Patch>& patches)
 {
   constexpr double slope = 0.5;
-  using Step = std::pair<double, std::size_t>;
-  std::priority_queue<Step, std::vector<Step>, std::greater<Step>> queue;
-  const auto bound = [&](std::size_t i, std::size_t j) {
-    return values[i] + slope * (patches[i].mean - patches[j].mean).norm();
-  };
-  const auto exceeds = [&](std::size_t j, double most) {
-    return values[j] > most || !(values[j] > 0);
-  };
-  const auto bounds_another = [&](std::size_t i) { // few do
-    return std::any_of(patches[i].neighbors.begin(), patches[i].neighbors.end(),
-                       [&](std::size_t j) { return exceeds(j, bound(i, j)); });
-  };
+  std::vector<std::size_t> queue; // in any order: it ends with the same values
+  std::vector<bool> waits(values.size(), true);
   for(std::size_t i = 0; i < values.size(); ++i)
-    if(values[i] > 0 && bounds_another(i))
-      queue.emplace(values[i], i);
-  while(!queue.empty()) {
-    const auto [value, i] = queue.top();
-    queue.pop();
-    if(value > values[i])
+    queue.push_back(i);
+  for(std::size_t next = 0; next < queue.size(); ++next) {
+    const std::size_t i = queue[next];
+    waits[i] = false;
+    if(!(values[i] > 0))
       continue;
-    for(std::size_t j : patches[i].neighbors)
-      if(const double most = bound(i, j); exceeds(j, most)) {
+    for(std::size_t j : patches[i].neighbors) {
+      const double most = values[i] + slope * (patches[i].mean - patches[j].mean).norm();
+      if(values[j] > most || !(values[j] > 0)) {
         values[j] = most;
-        queue.emplace(most, j);
+        if(!waits[j])
+          queue.push_back(j);
+        waits[j] = true;
       }
+    }
   }
 }
 

@@ -165,10 +165,28 @@ void bring_back_lost_samples(std::vector<Sample>& samples, const std::vector<Pat
   });
 }
 
-/// Moves the samples to the local L1-medians of the surface. Every iteration reads the positions of
-/// the one before only, so the bits do not depend on the number of threads.
+/// The components of the mixture whose patches a surface has, with their normals.
 template <typename ConcurrencyTag>
-Projection_outcome project_samples(std::vector<Sample>& samples,
+std::vector<Oriented_gaussian> oriented_gaussians(const Gaussians& components,
+                                                  const Oriented_surface<ConcurrencyTag>& surface)
+{
+  // A patch of a few points is thinner than the surface is known; a tenth of the spacing is not.
+  const Matrix3 blur = 0.01 * surface.spacing * surface.spacing * Matrix3::Identity();
+  std::vector<Oriented_gaussian> result;
+  result.reserve(components.size());
+  for(std::size_t i = 0; i < components.size(); ++i)
+    result.push_back(
+      {{components[i].weight, components[i].mean, components[i].covariance + blur},
+       surface.patches[i].normal,
+       surface.confidence[i]});
+  return result;
+}
+
+/// Moves the samples to the local L1-medians of the surface, whose patches are those of `components`.
+/// Every iteration reads the positions of the one before only, so the bits do not depend on the number
+/// of threads.
+template <typename ConcurrencyTag>
+Projection_outcome project_samples(std::vector<Sample>& samples, const Gaussians& components,
                                    const Oriented_surface<ConcurrencyTag>& surface,
                                    const Projection_options& options, const Progress& progress)
 {
@@ -182,7 +200,8 @@ Projection_outcome project_samples(std::vector<Sample>& samples,
       s.frozen = true;
   std::unique_ptr<Oriented_mixture> mixture; // for the iterations only
   if(options.maximum_iterations > 0)
-    mixture = std::make_unique<Oriented_mixture>(surface.components, surface.spacing, ConcurrencyTag());
+    mixture = std::make_unique<Oriented_mixture>(oriented_gaussians(components, surface),
+                                                 surface.spacing, ConcurrencyTag());
   while(outcome.iterations < options.maximum_iterations && !samples.empty()) {
     parallel_for<ConcurrencyTag>(samples.size(), [&](std::size_t i) {
       Sample& s = samples[i]; // reads and writes no other sample: Jacobi and in place at once
