@@ -66,7 +66,8 @@ std::vector<Sign_link> sign_links(const std::vector<Patch>& patches)
   parallel_for<ConcurrencyTag>(pairs.size(), [&](std::size_t k) {
     const Patch &a = patches[pairs[k].a], &b = patches[pairs[k].b];
     const double cosine = continuation(a, b);
-    links[k] = {pairs[k], std::abs(cosine) * std::min(a.planarity, b.planarity), cosine < 0};
+    const double trust = std::max(0.0, std::abs(cosine) * std::min(a.planarity, b.planarity));
+    links[k] = {pairs[k], trust, cosine < 0};
   });
   return links;
 }
@@ -101,19 +102,21 @@ private:
 inline Signed_pieces spanned_pieces(std::vector<Sign_link> links, std::size_t size)
 {
   Signed_pieces pieces(size);
-  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  std::vector<std::size_t> best(size); // link of every piece
+  std::vector<double> trust(size); // of the best link of every piece
+  std::vector<std::size_t> best(size);
   std::vector<std::uint32_t> piece(size);
   std::vector<char> is_opposite(size);
   while(!links.empty()) {
-    std::fill(best.begin(), best.end(), none);
+    std::fill(trust.begin(), trust.end(), -1);
     for(std::size_t k = 0; k < links.size(); ++k)
       for(std::size_t i : {links[k].pair.a, links[k].pair.b})
-        if(best[i] == none || links[best[i]].trust < links[k].trust)
+        if(links[k].trust > trust[i]) {
+          trust[i] = links[k].trust;
           best[i] = k;
-    for(std::size_t k : best)
-      if(k != none)
-        pieces.join(links[k]);
+        }
+    for(std::size_t i = 0; i < size; ++i)
+      if(trust[i] >= 0)
+        pieces.join(links[best[i]]);
     for(std::size_t i = 0; i < size; ++i) {
       piece[i] = static_cast<std::uint32_t>(pieces.piece(i));
       is_opposite[i] = pieces.is_opposite(i);

@@ -219,8 +219,10 @@ private:
     }
     Eigen::SparseMatrix<double> matrix(size, size);
     matrix.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
-    const Eigen::MatrixX3d solution = solver.solve(right);
+    if(solver_.rows() == 0)
+      solver_.analyzePattern(matrix); // which stays
+    solver_.factorize(matrix);
+    const Eigen::MatrixX3d solution = solver_.solve(right);
     for(std::size_t v = 0; v < drawn_.size(); ++v)
       graph_.vertices[v].position = solution.row(static_cast<Eigen::Index>(v)).transpose();
   }
@@ -258,6 +260,7 @@ private:
   std::vector<std::vector<std::size_t>> adjacency_;
   const std::vector<Skeleton_graph::Vertex> start_;
   std::vector<Drawn> drawn_; ///< Of every vertex.
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
 };
 
 /// Moves a skeleton to the centres of the cross-sections of its limbs; parameters as above.
