@@ -320,24 +320,26 @@ private:
     // In the order of the number of steps, which is nearly that of the distance: what has to be
     // corrected costs less than a heap would.
     queue_.clear();
-    const auto visit = [&](const Nearest& nearest, std::size_t i) {
-      if(nearest < nearest_[i]) {
-        nearest_[i] = nearest;
-        queue_.emplace_back(nearest.distance, i);
+    Nearest* const known = nearest_.data();
+    const auto visit = [this, known](float distance, int part, std::uint32_t i) {
+      const Nearest nearest{distance, part};
+      if(nearest < known[i]) {
+        known[i] = nearest;
+        queue_.emplace_back(distance, i);
       }
     };
     for(int k = 0; k < 2; ++k)
       for(std::size_t i : parts[static_cast<std::size_t>(k)]) {
         label_[i] = front;
-        visit({0, k + 1}, i);
+        visit(0, k + 1, static_cast<std::uint32_t>(i));
       }
     for(std::size_t next = 0; next < queue_.size(); ++next) {
       const auto [distance, i] = queue_[next];
-      const Nearest nearest = nearest_[i];
-      if(distance > nearest.distance)
+      const int part = known[i].part;
+      if(distance > known[i].distance)
         continue; // came there on a shorter way
       for(const auto& edge : edges_[i])
-        visit({nearest.distance + edge.length, nearest.part}, edge.patch);
+        visit(distance + edge.length, part, edge.patch);
     }
   }
 
@@ -357,7 +359,7 @@ private:
   std::vector<Label> label_;
   std::vector<Nearest> nearest_; ///< Default outside.
 
-  std::vector<std::pair<float, std::size_t>> queue_; ///< Of `find_nearest()`.
+  std::vector<std::pair<float, std::uint32_t>> queue_; ///< Of `find_nearest()`.
 };
 
 } // namespace internal
