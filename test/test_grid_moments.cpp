@@ -248,7 +248,7 @@ TEST_CASE("The grid of the occupied cells is the finest there may be, whatever s
   std::uniform_real_distribution<double> uniform(-0.28, 0.28);
   // From level to level there are twice, four times and eight times as many cells.
   const std::size_t dimension = GENERATE(1u, 2u, 3u);
-  const std::size_t maximum = GENERATE(300u, 3000u, 30000u);
+  const std::size_t maximum = GENERATE(300u, 3000u, 30000u, 100000u); // the last for all points
   // With few of them there are no more cells on the next levels.
   const std::size_t places = GENERATE(2000u, 60000u);
   CAPTURE(dimension, maximum, places);
@@ -268,12 +268,10 @@ TEST_CASE("The grid of the occupied cells is the finest there may be, whatever s
   } while(expected.size() > maximum);
   for(bool parallel : {false, true}) {
     const Normalized_blocks blocks(points);
-    const Occupied_cells occupied =
-      parallel ? occupied_cells<Parallel_if_available_tag>(blocks, maximum)
-               : occupied_cells<Sequential_tag>(blocks, maximum);
-    CHECK(occupied.grid().level == level);
-    const std::vector<std::uint64_t> cells = occupied.cells().cells();
-    CHECK(std::set<std::uint64_t>(cells.begin(), cells.end()) == expected);
+    const Fine_cells fine = parallel ? fine_cells<Parallel_if_available_tag>(blocks, maximum)
+                                     : fine_cells<Sequential_tag>(blocks, maximum);
+    CHECK(fine.grid.level == level);
+    CHECK(std::set<std::uint64_t>(fine.cells.begin(), fine.cells.end()) == expected);
   }
 }
 

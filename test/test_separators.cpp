@@ -18,6 +18,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -57,6 +58,7 @@ std::vector<Patch> torus()
                    patch.spacing;
       patch.planarity = 1;
       patch.neighbors = {index(i - 1, j), index(i, j - 1), index(i, j + 1), index(i + 1, j)};
+      std::sort(patch.neighbors.begin(), patch.neighbors.end());
       patches.push_back(patch);
     }
   return patches;

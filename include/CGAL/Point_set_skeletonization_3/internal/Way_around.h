@@ -21,7 +21,6 @@
 #include <limits>
 #include <map>
 #include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
