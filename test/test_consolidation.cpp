@@ -87,7 +87,7 @@ TEST_CASE("neighbourhoods of the points that are left are those asked anew")
     const Box_tree tree_of_all(all.size(), [&](std::size_t i) { return all[i]; });
     const Box_tree tree_of_left(left.size(), [&](std::size_t i) { return left[i]; });
     const Neighborhoods known =
-      renumbered<Tag>(neighborhoods<Tag>(tree_of_all, 7), index_of, tree_of_left, 7);
+      renumbered<Tag>(neighborhoods<Tag>(tree_of_all, 7), index_of, tree_of_left);
     const Neighborhoods asked = neighborhoods<Tag>(tree_of_left, 7);
     for(std::size_t i = 0; i < left.size(); ++i) {
       REQUIRE(known[i].size() == asked[i].size());

@@ -25,6 +25,13 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
+/// A point of the surface, and the sample that stands for it.
+struct Surface_point
+{
+  std::size_t sample;
+  Vector3 position;
+};
+
 /// Fits a skeleton graph, whose vertices are where the linking left them, to the surface.
 template <typename ConcurrencyTag>
 class Skeleton_fitting
@@ -32,13 +39,12 @@ class Skeleton_fitting
 public:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-  /// `points_of_sample[i]` are the points of the surface that sample i stands for, noise and all; none
-  /// if it is an outlier. `noise` in [0, 1] tells how much there is.
+  /// `points` are those of the surface, noise and all; of a sample that is an outlier there is none.
+  /// `noise` in [0, 1] tells how much there is.
   Skeleton_fitting(Skeleton_graph& graph, const Oriented_surface<ConcurrencyTag>& surface,
-                   const std::vector<Sample>& samples,
-                   const std::vector<std::vector<Vector3>>& points_of_sample, double noise)
-    : graph_(graph), surface_(surface), samples_(samples), points_of_sample_(points_of_sample),
-      noise_(noise)
+                   const std::vector<Sample>& samples, const std::vector<Surface_point>& points,
+                   double noise)
+    : graph_(graph), surface_(surface), samples_(samples), points_(points), noise_(noise)
   {}
 
   /// Evens the graph out, bridges gaps, centres it, leads the ends to the tips and measures the radii.
@@ -64,10 +70,10 @@ public:
                         [&](std::size_t v) { return graph_.vertices[v].position; });
     const std::vector<std::size_t> nearest = nearest_points<ConcurrencyTag>(
       tree, order.size(), [&](std::size_t k) { return samples_[order[k]].position; });
+    const std::vector<std::size_t> vertex = surface_.tree.by_index(nearest);
     std::vector<std::size_t> result(samples_.size(), none);
-    for(std::size_t k = 0; k < order.size(); ++k)
-      if(!points_of_sample_[order[k]].empty())
-        result[order[k]] = nearest[k];
+    for(const Surface_point& point : points_)
+      result[point.sample] = vertex[point.sample];
     return result;
   }
 
@@ -161,18 +167,15 @@ private:
   {
     const std::vector<std::size_t> vertex_of_sample = vertices_of_samples();
     std::vector<std::vector<Vector3>> result(graph_.vertices.size());
-    for(std::size_t i = 0; i < samples_.size(); ++i)
-      if(vertex_of_sample[i] != none) {
-        std::vector<Vector3>& points = result[vertex_of_sample[i]];
-        points.insert(points.end(), points_of_sample_[i].begin(), points_of_sample_[i].end());
-      }
+    for(const Surface_point& point : points_)
+      result[vertex_of_sample[point.sample]].push_back(point.position);
     return result;
   }
 
   Skeleton_graph& graph_;
   const Oriented_surface<ConcurrencyTag>& surface_;
   const std::vector<Sample>& samples_;
-  const std::vector<std::vector<Vector3>>& points_of_sample_;
+  const std::vector<Surface_point>& points_;
   double noise_;
 };
 

@@ -20,6 +20,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/surface_consolidation.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface_quotient.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -120,8 +121,8 @@ public:
     const std::vector<bool> outlier = connect(*joints, separators);
     if(!progress(0.7))
       return false;
-    const auto points_of_sample = points_of_samples(outlier);
-    Skeleton_fitting<ConcurrencyTag> fitting(graph, *surface_, samples, points_of_sample, noise_);
+    const std::vector<Surface_point> points = surface_points(outlier);
+    Skeleton_fitting<ConcurrencyTag> fitting(graph, *surface_, samples, points, noise_);
     fitting.fit(options_.single_component);
     assign_components(fitting.vertices_of_samples());
     return progress(1);
@@ -145,7 +146,7 @@ private:
   /// of the components, and become those of the patches.
   Gaussians consolidated(Box_tree& tree, Neighborhoods& nearest)
   {
-    const Consolidated_surface clean =
+    Consolidated_surface clean =
       Surface_consolidation<ConcurrencyTag>(mixture.front(), tree, nearest)();
     noise_ = clean.noise;
     patch_of_component_.assign(mixture.front().size(), none);
@@ -157,9 +158,8 @@ private:
     }
     const Gaussians patches = kept(clean); // nothing has moved
     if(patches.size() < patch_of_component_.size()) {
-      tree = tree_of_means<ConcurrencyTag>(patches);
-      nearest = renumbered<ConcurrencyTag>(
-        std::move(nearest), patch_of_component_, tree, patch_neighbors + 1);
+      tree = std::move(clean.tree);
+      nearest = renumbered<ConcurrencyTag>(nearest, patch_of_component_, tree);
     }
     return patches;
   }
@@ -232,21 +232,20 @@ private:
     return result;
   }
 
-  /// The points of the surface of every sample; none of outliers. Where there is noise they are those
-  /// of the mixture as it was read: taking the noise off moves what is curved to the inside.
-  std::vector<std::vector<Vector3>> points_of_samples(const std::vector<bool>& outlier) const
+  /// The points of the surface, those of one sample after the other; none of outliers. Where there is
+  /// noise they are those of the mixture as it was read: taking the noise off moves what is curved to
+  /// the inside.
+  std::vector<Surface_point> surface_points(const std::vector<bool>& outlier) const
   {
-    std::vector<std::vector<Vector3>> result(samples.size());
-    const auto add = [&](std::size_t patch, const Vector3& p) {
-      if(patch != none && !outlier[patch])
-        result[patch].push_back(p);
-    };
-    if(noise_ > 0)
-      for(std::size_t i = 0; i < patch_of_component_.size(); ++i)
-        add(patch_of_component_[i], mixture.front()[i].mean);
-    else
-      for(std::size_t i = 0; i < surface_->patches.size(); ++i)
-        add(i, surface_->patches[i].mean);
+    std::vector<Surface_point> result;
+    result.reserve(patch_of_component_.size());
+    for(std::size_t i = 0; i < patch_of_component_.size(); ++i)
+      if(const std::size_t patch = patch_of_component_[i]; patch != none && !outlier[patch])
+        result.push_back({patch, mixture.front()[i].mean});
+    if(noise_ > 0) // else they are
+      std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
+        return a.sample < b.sample;
+      });
     return result;
   }
 

@@ -9,11 +9,12 @@
 #include <CGAL/Point_set_skeletonization_3/internal/Per_thread.h>
 #include <CGAL/Point_set_skeletonization_3/internal/Row_tree.h>
 
+#include <boost/range/iterator_range.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -23,8 +24,31 @@ namespace internal {
 /// A neighbour and its squared distance.
 using Neighbor = Neighbor_search::Neighbor;
 
-/// The nearest neighbours of every point of a set, nearest first: itself, if no other is there too.
-using Neighborhoods = std::vector<std::vector<Neighbor>>;
+/// The nearest neighbours of every point of a set, as many of each, nearest first: itself, if no other
+/// is there too.
+class Neighborhoods
+{
+public:
+  /// Not known yet.
+  Neighborhoods(std::size_t points, std::size_t k) : k_(k), neighbors_(points * k) {}
+
+  /// How many every point has.
+  std::size_t k() const { return k_; }
+
+  boost::iterator_range<const Neighbor*> operator[](std::size_t point) const
+  {
+    return {neighbors_.data() + point * k_, neighbors_.data() + (point + 1) * k_};
+  }
+
+  boost::iterator_range<Neighbor*> operator[](std::size_t point)
+  {
+    return {neighbors_.data() + point * k_, neighbors_.data() + (point + 1) * k_};
+  }
+
+private:
+  std::size_t k_;
+  std::vector<Neighbor> neighbors_; ///< Those of one point after the other.
+};
 
 /// The neighbours of points of a tree that are next to each other.
 class Neighborhood_row
@@ -60,8 +84,8 @@ public:
     return points_.is_any_closer(row_tree_.boxes()[node], smallest_.back());
   }
 
-  /// The neighbours of the `k`-th point, which is at `position`.
-  std::vector<Neighbor> neighbors(std::size_t k, const Vector3& position)
+  /// Writes the neighbours of the `k`-th point, which is at `position`, to `result`.
+  void neighbors(std::size_t k, const Vector3& position, Neighbor* result)
   {
     const auto row = static_cast<Eigen::Index>(k);
     const float farthest = smallest_.back()[row];
@@ -71,12 +95,11 @@ public:
       near_[size] = seen_[i];
       size += distances_[i][row] <= farthest;
     }
-    std::vector<Neighbor> result(size);
+    nearest_.resize(size);
     for(std::size_t i = 0; i < size; ++i)
-      result[i] = {(tree_.positions()[near_[i]] - position).squaredNorm(), tree_.order()[near_[i]]};
-    std::sort(result.begin(), result.end());
-    result.resize(smallest_.size());
-    return result;
+      nearest_[i] = {(tree_.positions()[near_[i]] - position).squaredNorm(), tree_.order()[near_[i]]};
+    std::sort(nearest_.begin(), nearest_.end());
+    std::copy_n(nearest_.begin(), smallest_.size(), result);
   }
 
 private:
@@ -101,60 +124,64 @@ private:
   std::vector<Row_values> smallest_; ///< Squared distances, the smallest first.
   std::vector<std::size_t> seen_, near_;
   std::vector<Row_values> distances_; ///< To what was seen.
+  std::vector<Neighbor> nearest_;     ///< Of one of them, and some more.
 };
 
-/// Writes the `k` nearest of some points of a tree, `places` in its order, to `result`; quick if points
-/// next to each other in `places` are close.
+/// Writes the nearest of some points of a tree, `places` in its order, to `result`; quick if points next
+/// to each other in `places` are close.
 template <typename ConcurrencyTag>
-void find_neighbors(const Box_tree& tree, const std::vector<std::size_t>& places, std::size_t k,
+void find_neighbors(const Box_tree& tree, const std::vector<std::size_t>& places,
                     Neighborhoods& result)
 {
   const Row_tree row_tree(tree);
-  Per_thread<ConcurrencyTag, Neighborhood_row> rows([&] {
-    return Neighborhood_row(tree, row_tree, std::min(k, tree.order().size()));
-  });
+  Per_thread<ConcurrencyTag, Neighborhood_row> rows(
+    [&] { return Neighborhood_row(tree, row_tree, result.k()); });
   for_each_row<ConcurrencyTag>(places.size(), [&](std::size_t first, std::size_t end) {
     Neighborhood_row& row = rows.local();
     row.look_around([&](std::size_t i) { return places[std::min(first + i, end - 1)]; });
     for(std::size_t i = first; i < end; ++i)
-      result[tree.order()[places[i]]] = row.neighbors(i - first, tree.positions()[places[i]]);
+      row.neighbors(i - first, tree.positions()[places[i]],
+                    result[tree.order()[places[i]]].begin());
   });
 }
 
-/// The `k` nearest of every point of a tree, told apart in single precision.
+/// The `k` nearest of every point of a tree, or all if there are fewer, told apart in single precision.
 template <typename ConcurrencyTag>
 Neighborhoods neighborhoods(const Box_tree& tree, std::size_t k)
 {
-  Neighborhoods result(tree.order().size());
-  std::vector<std::size_t> places(result.size());
+  const std::size_t size = tree.order().size();
+  Neighborhoods result(size, std::min(k, size));
+  std::vector<std::size_t> places(size);
   std::iota(places.begin(), places.end(), std::size_t(0));
-  find_neighbors<ConcurrencyTag>(tree, places, k, result);
+  find_neighbors<ConcurrencyTag>(tree, places, result);
   return result;
 }
 
 /// The same from those of more points: `index_of[i]` is the new index of the `i`-th of them, no less
 /// than the size of the tree if it was dropped. Asks again where a neighbour was.
 template <typename ConcurrencyTag>
-Neighborhoods renumbered(Neighborhoods before, const std::vector<std::size_t>& index_of,
-                         const Box_tree& tree, std::size_t k)
+Neighborhoods renumbered(const Neighborhoods& before, const std::vector<std::size_t>& index_of,
+                         const Box_tree& tree)
 {
   const std::size_t size = tree.order().size();
-  Neighborhoods result(size);
-  for(std::size_t i = 0; i < before.size(); ++i) {
-    std::vector<Neighbor>& nearest = before[i];
-    for(auto& neighbor : nearest)
-      neighbor.index = index_of[neighbor.index];
-    const auto dropped = [&](const auto& neighbor) { return neighbor.index >= size; };
-    if(index_of[i] >= size || std::any_of(nearest.begin(), nearest.end(), dropped))
+  Neighborhoods result(size, std::min(before.k(), size));
+  std::vector<bool> known(size, false);
+  for(std::size_t i = 0; i < index_of.size(); ++i) {
+    const auto dropped = [&](const Neighbor& neighbor) { return index_of[neighbor.index] >= size; };
+    if(index_of[i] >= size || std::any_of(before[i].begin(), before[i].end(), dropped))
       continue;
+    const auto nearest = result[index_of[i]];
+    std::transform(before[i].begin(), before[i].end(), nearest.begin(), [&](const Neighbor& neighbor) {
+      return Neighbor{neighbor.squared_distance, index_of[neighbor.index]};
+    });
     std::sort(nearest.begin(), nearest.end());
-    result[index_of[i]] = std::move(nearest);
+    known[index_of[i]] = true;
   }
   std::vector<std::size_t> unknown;
   for(std::size_t place = 0; place < size; ++place)
-    if(result[tree.order()[place]].empty())
+    if(!known[tree.order()[place]])
       unknown.push_back(place);
-  find_neighbors<ConcurrencyTag>(tree, unknown, k, result);
+  find_neighbors<ConcurrencyTag>(tree, unknown, result);
   return result;
 }
 

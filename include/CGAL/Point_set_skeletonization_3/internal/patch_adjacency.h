@@ -13,6 +13,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <boost/range/iterator_range.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -64,7 +66,7 @@ constexpr double facing_cosine = 0.5;
 /// Normal and planarity of a patch, from its own moments and those of its neighbours with a
 /// Gaussian weight of the local spacing: few points make the moments of a single patch noisy.
 inline void estimate_normal(Patch& patch, const Gaussians& gaussians,
-                            const std::vector<Neighbor>& nearest)
+                            const boost::iterator_range<const Neighbor*>& nearest)
 {
   Moments moments(patch.mean);
   for(const auto& neighbor : nearest) {

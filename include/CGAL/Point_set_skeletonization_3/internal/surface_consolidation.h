@@ -222,6 +222,7 @@ struct Consolidated_surface
   std::vector<Vector3> positions;
   std::vector<bool> outlier;
   double noise = 0; ///< In [0, 1]: how much was to be taken off.
+  Box_tree tree;    ///< If that is 0, over the positions of those that are no outliers.
 };
 
 /// Takes the noise off a mixture: moves its components to the surface that they scatter around.
@@ -248,6 +249,7 @@ public:
     result_.outlier.assign(mixture.size(), false);
   }
 
+  /// To be called once.
   Consolidated_surface operator()()
   {
     drop_isolated();
@@ -255,9 +257,11 @@ public:
     result_.noise = strength_;
     if(strength_ > 0)
       take_noise_off();
-    else
+    else {
       drop_all_thin();
-    return result_;
+      result_.tree = finest().tree();
+    }
+    return std::move(result_);
   }
 
 private:
@@ -293,11 +297,10 @@ private:
   /// Distance of every component to its fourth neighbour.
   std::vector<double> spacings() const
   {
+    const std::size_t fourth = std::min<std::size_t>(4, nearest_.k() - 1);
     std::vector<double> result;
-    for(const auto& nearest : nearest_) {
-      const std::size_t fourth = std::min<std::size_t>(4, nearest.size() - 1);
-      result.push_back(std::sqrt(nearest[fourth].squared_distance));
-    }
+    for(std::size_t i = 0; i < mixture_.size(); ++i)
+      result.push_back(std::sqrt(nearest_[i][fourth].squared_distance));
     return result;
   }
 
@@ -475,7 +478,7 @@ private:
       offset.push_back(narrowest[i].mean - result_.positions[i]);
     std::vector<double> off(mixture_.size());
     parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
-      const auto& nearest = nearest_[i]; // nothing has moved yet
+      const auto nearest = nearest_[i]; // nothing has moved yet
       const std::size_t size = std::min<std::size_t>(9, nearest.size());
       Vector3 mean = Vector3::Zero();
       for(std::size_t k = 0; k < size; ++k)
