@@ -171,8 +171,8 @@ TEST_CASE("The neighbourhoods of points are what a look at every point gives")
       REQUIRE(found[i].size() == std::min(wanted, size));
       REQUIRE(std::is_sorted(found[i].begin(), found[i].end()));
       std::set<std::size_t> different;
-      for(std::size_t k = 0; k < found[i].size(); ++k) {
-        const Neighbor& neighbor = found[i][k];
+      for(std::size_t k = 0; k < std::min(wanted, size); ++k) {
+        const Neighbor& neighbor = found[i].begin()[k];
         different.insert(neighbor.index);
         REQUIRE(neighbor.squared_distance == (points[neighbor.index] - points[i]).squaredNorm());
         REQUIRE(std::sqrt(neighbor.squared_distance) == Approx(expected[k]).epsilon(1e-5));
@@ -251,7 +251,7 @@ TEST_CASE("The winding number is the sum of all dipoles, up to the error of the 
 
 TEST_CASE("The winding number of patches that coincide is finite, and 0 far away")
 {
-  for(const std::size_t size : {1, 20}) {
+  for(const std::size_t size : {1u, 20u}) {
     CAPTURE(size);
     std::vector<Patch> patches(size);
     for(Patch& patch : patches) {

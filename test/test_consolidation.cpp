@@ -92,7 +92,7 @@ TEST_CASE("neighbourhoods of the points that are left are those asked anew")
     for(std::size_t i = 0; i < left.size(); ++i) {
       REQUIRE(known[i].size() == asked[i].size());
       for(std::size_t k = 0; k < asked[i].size(); ++k)
-        CHECK(known[i][k].index == asked[i][k].index);
+        CHECK(known[i].begin()[k].index == asked[i].begin()[k].index);
     }
   }
 }

@@ -226,7 +226,7 @@ private:
   std::vector<Part> connected_parts()
   {
     std::vector<Part> parts;
-    const auto enough = static_cast<std::size_t>(static_cast<double>(front_.size()) / (1 + least_share));
+    const double enough = static_cast<double>(front_.size()) / (1 + least_share);
     bool splits = true;
     found_.shorten(0);
     const auto add = [&](std::size_t i) {
@@ -242,7 +242,7 @@ private:
       for(std::size_t next = first; next < found_.size() && splits; ++next) {
         for(const auto& edge : edges_[found_[next]])
           add(edge.patch);
-        splits = found_.size() - first <= enough;
+        splits = static_cast<double>(found_.size() - first) <= enough;
       }
       if(!splits)
         break;

@@ -161,12 +161,12 @@ private:
         meeting[1 - k] = i;
       }
     };
-    for(std::size_t k : {0, 1})
+    for(std::size_t k = 0; k < 2; ++k)
       for(std::size_t i : separator.sides[k])
         reach(i, none, k);
     for(std::size_t next = 0;
         meeting[0] == none && next < std::min(reached[0].size(), reached[1].size()); ++next)
-      for(std::size_t k : {0, 1})
+      for(std::size_t k = 0; k < 2; ++k)
         for(const auto& edge : edges_[reached[k][next]])
           if(place_[edge.patch] != on_separator)
             reach(edge.patch, reached[k][next], k);

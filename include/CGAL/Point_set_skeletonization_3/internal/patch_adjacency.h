@@ -122,7 +122,7 @@ std::vector<Patch> surface_patches(const Gaussians& gaussians, const Neighborhoo
     patch.weight = gaussians[i].weight;
     const std::size_t middle = nearest[i].size() / 2;
     // A patch without another is as large as the whole.
-    patch.spacing = nearest[i].size() > 1 ? std::sqrt(nearest[i][middle].squared_distance) : 1;
+    patch.spacing = nearest[i].size() > 1 ? std::sqrt(nearest[i].begin()[middle].squared_distance) : 1;
     patch.spacing = std::max(patch.spacing, least_spacing);
     // Half of its neighbours share a disc of this radius with it.
     patch.area = CGAL_PI * patch.spacing * patch.spacing / static_cast<double>(middle + 1);

@@ -300,7 +300,7 @@ private:
     const std::size_t fourth = std::min<std::size_t>(4, nearest_.k() - 1);
     std::vector<double> result;
     for(std::size_t i = 0; i < mixture_.size(); ++i)
-      result.push_back(std::sqrt(nearest_[i][fourth].squared_distance));
+      result.push_back(std::sqrt(nearest_[i].begin()[fourth].squared_distance));
     return result;
   }
 
@@ -478,8 +478,8 @@ private:
       offset.push_back(narrowest[i].mean - result_.positions[i]);
     std::vector<double> off(mixture_.size());
     parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
-      const auto nearest = nearest_[i]; // nothing has moved yet
-      const std::size_t size = std::min<std::size_t>(9, nearest.size());
+      const Neighbor* const nearest = nearest_[i].begin(); // nothing has moved yet
+      const std::size_t size = std::min<std::size_t>(9, nearest_.k());
       Vector3 mean = Vector3::Zero();
       for(std::size_t k = 0; k < size; ++k)
         mean += offset[nearest[k].index] / static_cast<double>(size);
