@@ -31,8 +31,6 @@ using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 // Adds a branch from `start` through the points; returns its last vertex.
 std::size_t add_branch(Skeleton& skeleton, std::size_t start, const std::vector<Point>& points,
                        double radius)

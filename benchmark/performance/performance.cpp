@@ -124,7 +124,7 @@ private:
 std::vector<Contestant> on_points(const std::vector<Point>& points)
 {
   std::vector<Contestant> result;
-  for(const std::size_t threads : {1, 2})
+  for(const std::size_t threads : {1u, 2u})
     result.push_back({method_names::ours, threads, [&points, threads](Stopwatch& stopwatch) {
                         skeletonize_points(points, threads, stopwatch);
                       }});
