@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # Copyright (c) 2026 The Point_set_skeletonization_3 authors.
-# SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+# SPDX-License-Identifier: GPL-3.0-or-later
 
 """Draws a skeleton over its cloud, from the front and in three-quarter view."""
 

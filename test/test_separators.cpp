@@ -1,5 +1,5 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
-// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+// SPDX-License-Identifier: GPL-3.0-or-later
 
 // What makes a loop: air that a rubber band in the solid does not cross, and limbs that are joined
 // rather than only touch.

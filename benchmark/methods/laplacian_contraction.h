@@ -1,5 +1,5 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
-// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+// SPDX-License-Identifier: GPL-3.0-or-later
 
 #ifndef POINT_SET_SKELETONIZATION_3_BENCHMARK_METHODS_LAPLACIAN_CONTRACTION_H
 #define POINT_SET_SKELETONIZATION_3_BENCHMARK_METHODS_LAPLACIAN_CONTRACTION_H

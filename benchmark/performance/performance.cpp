@@ -1,5 +1,5 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
-// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+// SPDX-License-Identifier: GPL-3.0-or-later
 
 // How fast the skeletons are, and in how much memory, beside what else CGAL does with the same
 // points. `performance --help` tells the options.

@@ -1,5 +1,5 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
-// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+// SPDX-License-Identifier: GPL-3.0-or-later
 
 // Writes a report of rows that no method has made: every status, every kind of input, and texts
 // that a page could trip over. Usage: made_up_report FILE
