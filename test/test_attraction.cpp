@@ -5,8 +5,8 @@
 
 #include "catch2.h"
 
-#include <CGAL/Point_set_skeletonization_3/internal/attraction.h>
-#include <CGAL/Point_set_skeletonization_3/internal/kernel_growth.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/attraction.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/kernel_growth.h>
 
 #include <CGAL/number_type_config.h>
 

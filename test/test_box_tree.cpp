@@ -6,13 +6,13 @@
 #include "catch2.h"
 #include "generator/Random.h"
 
-#include <CGAL/Point_set_skeletonization_3/internal/Box_tree.h>
-#include <CGAL/Point_set_skeletonization_3/internal/Visible_patches.h>
-#include <CGAL/Point_set_skeletonization_3/internal/medial_balls.h>
-#include <CGAL/Point_set_skeletonization_3/internal/neighborhoods.h>
-#include <CGAL/Point_set_skeletonization_3/internal/nearest_points.h>
-#include <CGAL/Point_set_skeletonization_3/internal/oriented_mixture.h>
-#include <CGAL/Point_set_skeletonization_3/internal/winding_number.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Visible_surface.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/medial_balls.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/K_nearest_neighbors.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/nearest_points.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/oriented_mixture.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Winding_number.h>
 
 #include <CGAL/number_utils.h>
 

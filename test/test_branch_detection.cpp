@@ -5,8 +5,8 @@
 
 #include "catch2.h"
 
-#include <CGAL/Point_set_skeletonization_3/internal/branch_detection.h>
-#include <CGAL/Point_set_skeletonization_3/internal/branch_merging.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/branch_detection.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/branch_merging.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 

@@ -7,8 +7,8 @@
 #include "catch2.h"
 #include "generator/Random.h"
 
-#include <CGAL/Point_set_skeletonization_3/internal/cross_section.h>
-#include <CGAL/Point_set_skeletonization_3/internal/skeleton_centring.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/cross_section.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/centre_curve.h>
 
 #include <CGAL/number_utils.h>
 

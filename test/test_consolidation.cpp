@@ -6,8 +6,8 @@
 #include "catch2.h"
 #include "generator/Random.h"
 
-#include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface_consolidation.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/patches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/consolidation/consolidate.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 
 #include "catch2.h"
 
-#include <CGAL/Point_set_skeletonization_3/internal/grid_moments.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Grid_mixture.h>
 
 #include <Eigen/Dense>
 

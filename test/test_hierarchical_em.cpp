@@ -5,8 +5,8 @@
 
 #include "catch2.h"
 
-#include <CGAL/Point_set_skeletonization_3/internal/hierarchical_em.h>
-#include <CGAL/Point_set_skeletonization_3/internal/nearest_neighbor_gaussians.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/hierarchical_em.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/nearest_neighbor_gaussians.h>
 
 #include <Eigen/Dense>
 

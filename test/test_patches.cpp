@@ -6,11 +6,11 @@
 #include "catch2.h"
 #include "generator/Random.h"
 
-#include <CGAL/Point_set_skeletonization_3/internal/Patch_edges.h>
-#include <CGAL/Point_set_skeletonization_3/internal/medial_balls.h>
-#include <CGAL/Point_set_skeletonization_3/internal/neighborhoods.h>
-#include <CGAL/Point_set_skeletonization_3/internal/patch_adjacency.h>
-#include <CGAL/Point_set_skeletonization_3/internal/patch_orientation.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/medial_balls.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/K_nearest_neighbors.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/patches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/orient_patches.h>
 
 #include <CGAL/number_utils.h>
 

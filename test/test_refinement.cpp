@@ -5,8 +5,8 @@
 
 #include "catch2.h"
 
-#include <CGAL/Point_set_skeletonization_3/internal/Connectivity.h>
-#include <CGAL/Point_set_skeletonization_3/internal/skeleton_refinement.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/refine_curve.h>
 
 #include <cstddef>
 #include <set>

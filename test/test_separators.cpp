@@ -9,10 +9,10 @@
 #include "graph_counts.h"
 #include "shapes.h"
 
-#include <CGAL/Point_set_skeletonization_3/internal/Rubber_band.h>
-#include <CGAL/Point_set_skeletonization_3/internal/Way_around.h>
-#include <CGAL/Point_set_skeletonization_3/internal/limb_joints.h>
-#include <CGAL/Point_set_skeletonization_3/internal/winding_number.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Closed_curve.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Separator_test.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Ball_overlaps.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Winding_number.h>
 #include <CGAL/extract_l1_medial_skeleton.h>
 
 #include <CGAL/Simple_cartesian.h>

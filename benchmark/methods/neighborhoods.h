@@ -6,7 +6,7 @@
 
 #include "Method.h"
 
-#include <CGAL/Point_set_skeletonization_3/internal/Neighbor_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/Point_search.h>
 
 #include <Eigen/Core>
 

@@ -4,8 +4,8 @@
 #ifndef CGAL_GAUSSIAN_MIXTURE_BUILDER_3_H
 #define CGAL_GAUSSIAN_MIXTURE_BUILDER_3_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/Normalization.h>
-#include <CGAL/Point_set_skeletonization_3/internal/grid_moments.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Normalization.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Grid_mixture.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Named_function_parameters.h>

@@ -8,11 +8,11 @@
 #include <CGAL/Gaussian_mixture_3.h>
 #include <CGAL/Gaussian_mixture_builder_3.h>
 #include <CGAL/Medial_sample_3.h>
-#include <CGAL/Point_set_skeletonization_3/internal/Point_blocks.h>
-#include <CGAL/Point_set_skeletonization_3/internal/Published_stages.h>
-#include <CGAL/Point_set_skeletonization_3/internal/Surface_quotient_stages.h>
-#include <CGAL/Point_set_skeletonization_3/internal/named_parameters.h>
-#include <CGAL/Point_set_skeletonization_3/internal/public_data.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Point_source.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/Published_method.h>
+#include <CGAL/Point_set_skeletonization_3/internal/interface/Surface_quotient_stages.h>
+#include <CGAL/Point_set_skeletonization_3/internal/interface/named_parameters.h>
+#include <CGAL/Point_set_skeletonization_3/internal/interface/public_data.h>
 #include <CGAL/Point_set_skeletonization_3/parameters.h>
 
 #include <CGAL/assertions.h>

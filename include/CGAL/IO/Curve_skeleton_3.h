@@ -4,7 +4,7 @@
 #ifndef CGAL_IO_CURVE_SKELETON_3_H
 #define CGAL_IO_CURVE_SKELETON_3_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/Output_file.h>
+#include <CGAL/Point_set_skeletonization_3/internal/io/Output_file.h>
 
 #include <CGAL/boost/graph/split_graph_into_polylines.h>
 #include <CGAL/number_utils.h>

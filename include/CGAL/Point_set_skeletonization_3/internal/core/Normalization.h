@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_NORMALIZATION_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_NORMALIZATION_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// The similarity that takes the input's bounding box to one centred at the origin with a diagonal
+/// of length 1, and back. All stages work in these coordinates: neither a geographic offset nor the
+/// unit of length can cost precision or change a result.
+class Normalization
+{
+public:
+  Normalization() = default;
+
+  /// `lower` and `upper` are the corners of the input's bounding box. Halves are subtracted so that
+  /// no box of finite coordinates overflows; a diagonal that does counts as the largest number.
+  Normalization(const Vector3& lower, const Vector3& upper)
+    : lower_(lower), half_extent_(upper / 2 - lower / 2)
+  {
+    const double half_diagonal = half_extent_.stableNorm();
+    if(half_diagonal > 0)
+      diagonal_ = 2 * std::min(half_diagonal, std::numeric_limits<double>::max() / 2);
+  }
+
+  /// Length of the input's bounding box diagonal; 1 if all points are equal.
+  double diagonal() const { return diagonal_; }
+
+  /// Relative to a corner of the box first: that difference is exact far from the origin, whereas
+  /// the centre is not, so that the same points elsewhere become the same to the last bit.
+  Vector3 to_unit(const Vector3& p) const
+  {
+    return ((p / 2 - lower_ / 2) - half_extent_ / 2) / (diagonal_ / 2);
+  }
+
+  Vector3 from_unit(const Vector3& p) const { return p * diagonal_ + (lower_ + half_extent_); }
+
+  template <typename Point_3>
+  static Vector3 vector(const Point_3& p)
+  {
+    return Vector3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  }
+
+  template <typename GeomTraits>
+  typename GeomTraits::Point_3 point(const Vector3& p) const
+  {
+    using FT = typename GeomTraits::FT;
+    const Vector3 q = from_unit(p);
+    return typename GeomTraits::Point_3(static_cast<FT>(q.x()), static_cast<FT>(q.y()),
+                                        static_cast<FT>(q.z()));
+  }
+
+  /// Upper triangle of a covariance, scaled back to the input's unit.
+  template <typename FT>
+  std::array<FT, 6> covariance(const Matrix3& c) const
+  {
+    const Matrix3 s = c * diagonal_ * diagonal_; // one after the other: the square may overflow
+    return {{static_cast<FT>(s(0, 0)), static_cast<FT>(s(0, 1)), static_cast<FT>(s(0, 2)),
+             static_cast<FT>(s(1, 1)), static_cast<FT>(s(1, 2)), static_cast<FT>(s(2, 2))}};
+  }
+
+  template <typename FT>
+  Matrix3 unit_covariance(const std::array<FT, 6>& c) const
+  {
+    Matrix3 s;
+    s << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
+    return s / diagonal_ / diagonal_;
+  }
+
+private:
+  Vector3 lower_ = Vector3::Zero();
+  Vector3 half_extent_ = Vector3::Zero();
+  double diagonal_ = 1;
+};
+
+/// The bounding box of points; those of parts of the points add up to that of all.
+class Extent
+{
+public:
+  /// Adds the `i`-th point.
+  void add(std::size_t i, const Vector3& p)
+  {
+    if(!p.allFinite())
+      not_finite_ = std::min(not_finite_, i);
+    lower_ = lower_.cwiseMin(p);
+    upper_ = upper_.cwiseMax(p);
+  }
+
+  void add(const Extent& other)
+  {
+    not_finite_ = std::min(not_finite_, other.not_finite_);
+    lower_ = lower_.cwiseMin(other.lower_);
+    upper_ = upper_.cwiseMax(other.upper_);
+  }
+
+  /// The similarity that normalises the points.
+  /// \throws std::invalid_argument that names the first point with a coordinate that is not finite
+  Normalization normalization() const
+  {
+    if(not_finite_ != none)
+      throw std::invalid_argument("point " + std::to_string(not_finite_) +
+                                  " has a coordinate that is not finite; remove or repair it");
+    return lower_.x() > upper_.x() ? Normalization() : Normalization(lower_, upper_);
+  }
+
+private:
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  std::size_t not_finite_ = none; ///< The first point with such a coordinate.
+  Vector3 lower_ = Vector3::Constant(infinity), upper_ = Vector3::Constant(-infinity);
+};
+
+/// The similarity that normalises `points`.
+/// \throws std::invalid_argument that names the first point with a coordinate that is not finite
+inline Normalization normalization_of(const std::vector<Vector3>& points)
+{
+  Extent extent;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    extent.add(i, points[i]);
+  return extent.normalization();
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_NORMALIZATION_H

@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_UNION_FIND_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_UNION_FIND_H
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// Disjoint sets of the numbers below `size`.
+class Connectivity
+{
+public:
+  explicit Connectivity(std::size_t size) : parent_(size)
+  {
+    std::iota(parent_.begin(), parent_.end(), std::size_t(0));
+  }
+
+  std::size_t root(std::size_t v)
+  {
+    while(parent_[v] != v)
+      v = parent_[v] = parent_[parent_[v]];
+    return v;
+  }
+
+  /// Joins the sets of `a` and `b`; false if they were one already.
+  bool join(std::size_t a, std::size_t b)
+  {
+    if(parent_[a] == parent_[b]) // most of the time
+      return false;
+    a = root(a);
+    b = root(b);
+    parent_[std::max(a, b)] = std::min(a, b); // the smallest is the root: no dependence on order
+    return a != b;
+  }
+
+private:
+  std::vector<std::size_t> parent_;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_UNION_FIND_H

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_BRIDGE_GAPS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_BRIDGE_GAPS_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/refine_curve.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// Joins components of a skeleton where a limb goes on behind a gap in the data.
+///
+/// A bridge leads from an end to another end or to the side of another branch. It is plausible if the
+/// gap is not much longer than the limb is thick and lies where the end points, and, if there is an
+/// end on the other side, where that points as well. Shorter bridges come first, and no two
+/// components are joined twice: a bridge never makes a loop.
+class Bridging
+{
+public:
+  /// `spacing` is that of the surface's patches.
+  Bridging(Skeleton_graph& graph, double spacing)
+      : graph_(graph)
+      , spacing_(spacing)
+      , adjacency_(graph.adjacency())
+      , connectivity_(graph.vertices.size())
+  {
+    for(const Skeleton_graph::Edge& e : graph.edges)
+      connectivity_.join(e.first, e.second);
+  }
+
+  /// Adds the plausible bridges.
+  void bridge_gaps()
+  {
+    std::vector<Bridge> bridges;
+    for(std::size_t v = 0; v < graph_.vertices.size(); ++v)
+      if(adjacency_[v].size() == 1)
+        for(std::size_t w = 0; w < graph_.vertices.size(); ++w)
+          if(connectivity_.root(v) != connectivity_.root(w) && is_plausible(v, w))
+            bridges.push_back({distance(v, w), v, w});
+    add(bridges);
+  }
+
+  /// Adds the shortest bridges that make one component of all.
+  void join_all()
+  {
+    for(;;) { // every round halves the number of components at least (Boruvka 1926)
+      std::vector<Bridge> nearest(graph_.vertices.size(), {infinity, 0, 0}); // of every component
+      bool one = true;
+      for(std::size_t v = 0; v < graph_.vertices.size(); ++v)
+        for(std::size_t w = v + 1; w < graph_.vertices.size(); ++w) {
+          const std::size_t a = connectivity_.root(v), b = connectivity_.root(w);
+          if(a == b)
+            continue;
+          one = false;
+          const Bridge bridge{distance(v, w), v, w};
+          nearest[a] = std::min(nearest[a], bridge);
+          nearest[b] = std::min(nearest[b], bridge);
+        }
+      if(one)
+        return;
+      nearest.erase(std::remove_if(nearest.begin(), nearest.end(),
+                                   [](const Bridge& b) { return std::get<0>(b) == infinity; }),
+                    nearest.end());
+      add(nearest);
+    }
+  }
+
+private:
+  using Bridge = std::tuple<double, std::size_t, std::size_t>; // length, from, to
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  double distance(std::size_t v, std::size_t w) const
+  {
+    return (graph_.vertices[v].position - graph_.vertices[w].position).norm();
+  }
+
+  bool points_at(std::size_t end, std::size_t w) const
+  {
+    constexpr double aligned = 0.8; // cosine of 37 degrees: limbs bend
+    const Vector3 way = graph_.vertices[w].position - graph_.vertices[end].position;
+    return end_direction(end, graph_, adjacency_).dot(way) > aligned * way.norm();
+  }
+
+  bool is_plausible(std::size_t end, std::size_t w) const
+  {
+    // A gap as long as the limb is thick, twice over, is bridged by the eye.
+    constexpr double widest = 4; // radii
+    // Of a twig thinner than two patches neither the radius nor the direction is known.
+    constexpr double thin = 2, widest_of_thin = 8; // spacings
+    const double gap = distance(end, w);
+    const double radius = std::max(graph_.vertices[end].radius, graph_.vertices[w].radius);
+    if(graph_.vertices[end].radius < thin * spacing_ && gap < widest_of_thin * spacing_)
+      return true;
+    return gap < widest * radius && points_at(end, w) &&
+           (adjacency_[w].size() != 1 || points_at(w, end));
+  }
+
+  void add(std::vector<Bridge>& bridges)
+  {
+    std::sort(bridges.begin(), bridges.end());
+    for(const Bridge& bridge : bridges)
+      if(connectivity_.join(std::get<1>(bridge), std::get<2>(bridge)))
+        graph_.edges.emplace_back(std::get<1>(bridge), std::get<2>(bridge));
+  }
+
+  Skeleton_graph& graph_;
+  double spacing_;
+  std::vector<std::vector<std::size_t>> adjacency_; ///< Without the bridges.
+  Connectivity connectivity_;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_BRIDGE_GAPS_H

@@ -1,0 +1,278 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_CENTRE_CURVE_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_CENTRE_CURVE_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/cross_section.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel_for.h>
+
+#include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// Moves a skeleton to the centres of the cross-sections of its limbs, as smoothly as a skeleton is.
+///
+/// Where a limb is cut by the plane across the skeleton, the centre of area of the cut is where the
+/// skeleton should pass. A single cut is known from a few points only, so it draws its vertex, and
+/// the vertices resist being bent: of all positions x those that minimise
+///
+///     sum w |x - c|^2 + sum (l / h)^4 |second difference of x|^2
+///
+/// with the centre c of the cut at a vertex, the share w of its boundary that is known, the distance h
+/// of vertices, and a length l in proportion to the radius of the limb: what wavers within less than
+/// its own width is no limb. Along a limb that is a low pass of fourth order: of a wave of length
+/// 2 pi l one half is left, of ten times that all but 1 in 10000. As the cuts follow the skeleton, a
+/// few rounds are needed. Where the centre is outside of the shape, as that of a channel, nothing is
+/// drawn there.
+template <typename ConcurrencyTag, typename Inside>
+class Skeleton_centring
+{
+public:
+  /// `surface[v]` are the points of the surface that belong to vertex v, noise and all: taking it off
+  /// draws what is curved to the inside. `spacing` is about how far they are apart. The radii of the
+  /// graph are those of the limbs, roughly. `inside` tells of places whether they are in the shape.
+  Skeleton_centring(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
+                    double spacing, const Inside& inside)
+    : graph_(graph), surface_(surface), spacing_(spacing), inside_(inside),
+      adjacency_(graph.adjacency()), start_(graph.vertices), drawn_(graph.vertices.size())
+  {}
+
+  void operator()()
+  {
+    constexpr int rounds = 3; // every one leaves a tenth of the way
+    for(int round = 0; round < rounds; ++round) {
+      std::vector<std::size_t> moved; // since they were drawn
+      for(std::size_t v = 0; v < drawn_.size(); ++v)
+        if((graph_.vertices[v].position - drawn_[v].from).norm() >= stays * drawn_[v].radius)
+          moved.push_back(v);
+      parallel_for<ConcurrencyTag>(moved.size(),
+                                   [&](std::size_t k) { drawn_[moved[k]] = drawn(moved[k]); });
+      keep_inside(moved);
+      move();
+    }
+  }
+
+private:
+  /// Where a vertex is drawn.
+  struct Drawn
+  {
+    Vector3 from = Vector3::Zero(); ///< Where it was then.
+    Vector3 target = Vector3::Zero();
+    double weight = 0;
+    double radius = 0; ///< Of the limb there; 0: not drawn yet.
+  };
+
+  /// The centre of a cut hardly depends on where the vertex is, a tenth of the way at the most: a
+  /// vertex that moved less than this share of the radius since is drawn to the same place.
+  static constexpr double stays = 0.02;
+
+  /// A vertex without a cut stays about where it was, and lets its neighbours decide.
+  static constexpr double least_weight = 0.1;
+
+  /// Of a vertex that nothing draws.
+  Drawn not_drawn(std::size_t v) const
+  {
+    const Skeleton_graph::Vertex& vertex = graph_.vertices[v];
+    return {vertex.position, start_[v].position, least_weight, std::max(vertex.radius, spacing_)};
+  }
+
+  Drawn drawn(std::size_t v) const
+  {
+    const Skeleton_graph::Vertex& vertex = graph_.vertices[v];
+    const double radius = std::max(vertex.radius, spacing_);
+    const Piece piece = piece_around(v, radius);
+    if(!(piece.half_chord > 0)) // a junction
+      return not_drawn(v);
+    const Vector3 e1 = piece.axis.unitOrthogonal(), e2 = piece.axis.cross(e1);
+    const Cross_section section = cross_section(cut(v, piece, e1, e2, radius));
+    // With a gap of half the way around a centre is a guess, but better than none; with a third left
+    // it is none, nor is it where a sheet leaves both sides open.
+    constexpr double too_much = CGAL_PI;
+    const double weight = 1 - section.unknown / too_much;
+    if(!(section.area > 0) || weight <= least_weight)
+      return not_drawn(v);
+    const Vector3 target =
+      vertex.position + section.center.x() * e1 + section.center.y() * e2;
+    return {vertex.position, target, weight, std::max(radius, std::sqrt(section.area / CGAL_PI))};
+  }
+
+  /// Nothing draws vertices to the outside.
+  void keep_inside(const std::vector<std::size_t>& vertices)
+  {
+    std::vector<Vector3> targets;
+    for(std::size_t v : vertices)
+      targets.push_back(drawn_[v].target);
+    const std::vector<bool> is_inside = inside_(targets);
+    for(std::size_t k = 0; k < vertices.size(); ++k)
+      if(!is_inside[k])
+        drawn_[vertices[k]] = not_drawn(vertices[k]);
+  }
+
+  /// A piece of a branch, read as a parabola.
+  struct Piece
+  {
+    Vector3 axis = Vector3::Zero(); ///< Unit length, along the chord.
+    Vector3 sag = Vector3::Zero();  ///< From the vertex to the middle of the chord.
+    double half_chord = 0;          ///< 0: there is no such piece.
+  };
+
+  /// The piece around a vertex, `reach` to either side as far as the branch goes.
+  Piece piece_around(std::size_t v, double reach) const
+  {
+    Piece result;
+    const std::vector<std::size_t>& next = adjacency_[v];
+    if(next.empty() || next.size() > 2)
+      return result;
+    const Vector3& here = graph_.vertices[v].position;
+    const Vector3 to = graph_.vertices[along(v, next.front(), reach)].position;
+    const Vector3 from = next.size() == 1 ? Vector3(2 * here - to) // an end goes straight on
+                                          : graph_.vertices[along(v, next.back(), reach)].position;
+    result.half_chord = (to - from).norm() / 2;
+    if(result.half_chord > 0)
+      result.axis = (to - from) / (2 * result.half_chord);
+    result.sag = (to + from) / 2 - here;
+    return result;
+  }
+
+  /// The points of the surface near the plane at a vertex that `e1` and `e2` span, moved to this plane
+  /// along the branch.
+  std::vector<Eigen::Vector2d> cut(std::size_t v, const Piece& piece, const Vector3& e1,
+                                   const Vector3& e2, double radius) const
+  {
+    // Wide enough for a dozen points around a thin limb, narrow enough for one that gets thicker.
+    const double half_width = std::max(spacing_, 0.25 * radius);
+    // Points across the limb may belong to vertices further along it, those of other limbs not.
+    constexpr double reach = 2; // radii
+    std::vector<Eigen::Vector2d> result;
+    for(std::size_t u : around(v, half_width + reach * graph_.vertices[v].radius))
+      for(const Vector3& p : surface_[u]) {
+        Vector3 d = p - graph_.vertices[v].position;
+        const double z = piece.axis.dot(d);
+        if(std::abs(z) >= half_width)
+          continue;
+        const double t = std::min(1.0, std::abs(z) / piece.half_chord);
+        d -= t * t * piece.sag;
+        result.emplace_back(e1.dot(d), e2.dot(d));
+      }
+    return result;
+  }
+
+  /// The vertices that are not further than `reach` along the graph.
+  std::vector<std::size_t> around(std::size_t v, double reach) const
+  {
+    std::vector<std::size_t> result{v};
+    std::vector<double> way{0};
+    for(std::size_t k = 0; k < result.size(); ++k)
+      for(std::size_t w : adjacency_[result[k]]) {
+        const double there = way[k] + distance(result[k], w);
+        if(there <= reach && std::find(result.begin(), result.end(), w) == result.end()) {
+          result.push_back(w);
+          way.push_back(there);
+        }
+      }
+    return result;
+  }
+
+  /// The vertex at least `reach` away from `v` through its neighbour `to`, or where the branch ends.
+  std::size_t along(std::size_t v, std::size_t to, double reach) const
+  {
+    std::size_t from = v;
+    double way = distance(from, to);
+    while(way < reach && adjacency_[to].size() == 2 && to != v) {
+      const std::size_t next = adjacency_[to][0] == from ? adjacency_[to][1] : adjacency_[to][0];
+      from = to;
+      to = next;
+      way += distance(from, to);
+    }
+    return to;
+  }
+
+  double distance(std::size_t v, std::size_t w) const
+  {
+    return (graph_.vertices[v].position - graph_.vertices[w].position).norm();
+  }
+
+  /// Solves for the positions.
+  void move()
+  {
+    const auto size = static_cast<Eigen::Index>(drawn_.size());
+    std::vector<Entry> entries;
+    Eigen::MatrixX3d right(size, 3);
+    for(std::size_t v = 0; v < drawn_.size(); ++v) {
+      entries.emplace_back(static_cast<int>(v), static_cast<int>(v), drawn_[v].weight);
+      right.row(static_cast<Eigen::Index>(v)) = drawn_[v].weight * drawn_[v].target.transpose();
+      add_stiffness(v, entries);
+    }
+    Eigen::SparseMatrix<double> matrix(size, size);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    if(solver_.rows() == 0)
+      solver_.analyzePattern(matrix); // which stays
+    solver_.factorize(matrix);
+    const Eigen::MatrixX3d solution = solver_.solve(right);
+    for(std::size_t v = 0; v < drawn_.size(); ++v)
+      graph_.vertices[v].position = solution.row(static_cast<Eigen::Index>(v)).transpose();
+  }
+
+  using Entry = Eigen::Triplet<double>;
+
+  /// A vertex with its neighbours against bending; at a junction the difference to their mean is what
+  /// the second difference is elsewhere. An end is free.
+  void add_stiffness(std::size_t v, std::vector<Entry>& entries) const
+  {
+    constexpr double length = 0.4; // radii
+    const std::vector<std::size_t>& next = adjacency_[v];
+    if(next.size() < 2)
+      return;
+    const double share = 1 / static_cast<double>(next.size());
+    double h = 0;
+    std::vector<std::pair<std::size_t, double>> difference{{v, -2.0}};
+    for(std::size_t w : next) {
+      h += share * distance(v, w);
+      difference.emplace_back(w, 2 * share);
+    }
+    // Vertices are evenly spaced but for short branches; nothing is stiffer than a rod.
+    h = std::max(h, 0.1 * drawn_[v].radius);
+    const double stiffness = std::pow(length * drawn_[v].radius / h, 4);
+    for(const auto& a : difference)
+      for(const auto& b : difference)
+        entries.emplace_back(static_cast<int>(a.first), static_cast<int>(b.first),
+                             stiffness * a.second * b.second);
+  }
+
+  Skeleton_graph& graph_;
+  const std::vector<std::vector<Vector3>>& surface_;
+  double spacing_;
+  const Inside& inside_;
+  std::vector<std::vector<std::size_t>> adjacency_;
+  const std::vector<Skeleton_graph::Vertex> start_;
+  std::vector<Drawn> drawn_; ///< Of every vertex.
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+};
+
+/// Moves a skeleton to the centres of the cross-sections of its limbs; parameters as above.
+template <typename ConcurrencyTag, typename Inside>
+void centre_skeleton(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
+                     double spacing, const Inside& inside)
+{
+  Skeleton_centring<ConcurrencyTag, Inside>(graph, surface, spacing, inside)();
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_CENTRE_CURVE_H

@@ -1,0 +1,186 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_FIT_CURVE_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_FIT_CURVE_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/bridge_gaps.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/nearest_points.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/quantile.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/centre_curve.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/refine_curve.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Winding_number.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// A point of the surface, and the sample that stands for it.
+struct Surface_point
+{
+  std::size_t sample;
+  Vector3 position;
+};
+
+/// Fits a skeleton graph, whose vertices are where the linking left them, to the surface.
+template <typename ConcurrencyTag>
+class Skeleton_fitting
+{
+public:
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  /// `points` are those of the surface, noise and all; of a sample that is an outlier there is none.
+  /// `noise` in [0, 1] tells how much there is.
+  Skeleton_fitting(Skeleton_graph& graph, const Oriented_surface<ConcurrencyTag>& surface,
+                   const std::vector<Sample>& samples, const std::vector<Surface_point>& points,
+                   double noise)
+    : graph_(graph), surface_(surface), samples_(samples), points_(points), noise_(noise)
+  {}
+
+  /// Evens the graph out, bridges gaps, centres it, leads the ends to the tips and measures the radii.
+  void fit(bool single_component)
+  {
+    smooth(graph_);
+    resample();
+    measure_radii();
+    bridge(single_component);
+    centre();
+    extend();
+    centre();
+    measure_radii();
+    if(noise_ > 0)
+      correct_radii(points_of_vertices());
+  }
+
+  /// The vertex nearest to every sample; `none` for outliers.
+  std::vector<std::size_t> vertices_of_samples() const
+  {
+    const std::vector<std::size_t>& order = surface_.tree.order(); // samples in a row are close
+    const Box_tree tree(graph_.vertices.size(),
+                        [&](std::size_t v) { return graph_.vertices[v].position; });
+    const std::vector<std::size_t> nearest = nearest_points<ConcurrencyTag>(
+      tree, order.size(), [&](std::size_t k) { return samples_[order[k]].position; });
+    const std::vector<std::size_t> vertex = surface_.tree.by_index(nearest);
+    std::vector<std::size_t> result(samples_.size(), none);
+    for(const Surface_point& point : points_)
+      result[point.sample] = vertex[point.sample];
+    return result;
+  }
+
+private:
+  /// Vertices a spacing apart; where points coincide that may be next to nothing, but a skeleton has no
+  /// more vertices than samples.
+  void resample()
+  {
+    double length = 0;
+    for(const Skeleton_graph::Edge& e : graph_.edges)
+      length += (graph_.vertices[e.first].position - graph_.vertices[e.second].position).norm();
+    const double least = length / static_cast<double>(samples_.size());
+    graph_ = resampled(graph_, std::max(surface_.spacing, least));
+  }
+
+  void bridge(bool single_component)
+  {
+    Bridging bridging(graph_, surface_.spacing);
+    bridging.bridge_gaps();
+    if(single_component)
+      bridging.join_all();
+    resample();
+  }
+
+  void centre()
+  {
+    measure_radii();
+    centre_skeleton<ConcurrencyTag>(graph_, points_of_vertices(), surface_.spacing,
+                                    [this](const auto& places) { return are_inside(places); });
+  }
+
+  void extend()
+  {
+    const std::vector<std::vector<Vector3>> points = points_of_vertices();
+    measure_radii();
+    if(noise_ > 0)
+      correct_radii(points);
+    extend_ends(graph_, points, [this](const Vector3& q) { return is_inside(q); });
+    resample();
+  }
+
+  /// As far as one knows: in noise a thin limb has no inside that could be told.
+  bool is_inside(const Vector3& q) const
+  {
+    return (*surface_.winding_number)(q) >= least_inside - noise_;
+  }
+
+  std::vector<bool> are_inside(const std::vector<Vector3>& places) const
+  {
+    std::vector<bool> result;
+    for(double value : surface_.winding_number->template at_places<ConcurrencyTag>(
+          places.size(), [&](std::size_t k) { return places[k]; }))
+      result.push_back(value >= least_inside - noise_);
+    return result;
+  }
+
+  /// The radius of every vertex: how far the surface is that it sees.
+  void measure_radii()
+  {
+    const std::vector<double> radii = surface_.visible->template distances<ConcurrencyTag>(
+      graph_.vertices.size(), [&](std::size_t v) { return graph_.vertices[v].position; });
+    for(std::size_t v = 0; v < radii.size(); ++v)
+      if(radii[v] > 0)
+        graph_.vertices[v].radius = radii[v];
+  }
+
+  /// In noise some patch is always nearer than the surface, and none is left around a limb that has
+  /// drowned in it: there the points themselves tell the radius, by the lower quartile of their
+  /// distances. A vertex alone has a few points only, so those of the next ones count as well; those of
+  /// an end do not, they lie in front of it rather than around it. Where the data are clean they do
+  /// not tell the radius, the cross-section need not be round.
+  void correct_radii(const std::vector<std::vector<Vector3>>& points)
+  {
+    const auto adjacency = graph_.adjacency();
+    for(std::size_t v = 0; v < points.size(); ++v) {
+      std::vector<std::size_t> near = adjacency[v];
+      near.push_back(v);
+      std::vector<double> distances;
+      for(std::size_t w : near)
+        if(adjacency[w].size() != 1)
+          for(const Vector3& p : points[w])
+            distances.push_back((p - graph_.vertices[w].position).norm());
+      double& radius = graph_.vertices[v].radius;
+      if(!distances.empty())
+        radius = std::max(radius, noise_ * quantile(std::move(distances), 0.25));
+    }
+  }
+
+  /// The points of the surface of every vertex.
+  std::vector<std::vector<Vector3>> points_of_vertices() const
+  {
+    const std::vector<std::size_t> vertex_of_sample = vertices_of_samples();
+    std::vector<std::vector<Vector3>> result(graph_.vertices.size());
+    for(const Surface_point& point : points_)
+      result[vertex_of_sample[point.sample]].push_back(point.position);
+    return result;
+  }
+
+  Skeleton_graph& graph_;
+  const Oriented_surface<ConcurrencyTag>& surface_;
+  const std::vector<Sample>& samples_;
+  const std::vector<Surface_point>& points_;
+  double noise_;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_FIT_CURVE_H

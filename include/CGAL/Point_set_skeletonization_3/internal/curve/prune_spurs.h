@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_PRUNE_SPURS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_PRUNE_SPURS_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/patches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/branches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// A limb is this much longer than half the width of one of its cross-sections. The corner of a
+/// plate and a dome are 1, a cone of 60 degrees is 1.7; a finger or toe 3 and more.
+constexpr double least_slenderness = 1.25;
+
+/// A limb shows this many patches, a ring around it; fewer are outliers that stick out, or that
+/// bridge the gap between two limbs.
+constexpr std::size_t least_patches = 6;
+
+/// The graph without the vertices marked `removed` and their edges; the order of the rest is kept.
+inline Skeleton_graph without(const Skeleton_graph& graph, const std::vector<bool>& removed)
+{
+  std::vector<std::size_t> index(graph.vertices.size(), 0);
+  Skeleton_graph result;
+  for(std::size_t v = 0; v < graph.vertices.size(); ++v)
+    if(!removed[v]) {
+      index[v] = result.vertices.size();
+      result.vertices.push_back(graph.vertices[v]);
+    }
+  for(const Skeleton_graph::Edge& e : graph.edges)
+    if(!removed[e.first] && !removed[e.second])
+      result.edges.emplace_back(index[e.first], index[e.second]);
+  return result;
+}
+
+/// Marks the pieces at the very end of a limb as removed as well: a cap has no middle of its own, the
+/// end is found from the cross-section before it. The first `separators` vertices are cross-sections.
+inline void mark_caps(const Skeleton_graph& graph, std::size_t separators,
+                      std::vector<bool>& removed)
+{
+  std::vector<std::vector<std::size_t>> adjacency(graph.vertices.size());
+  for(const Skeleton_graph::Edge& e : graph.edges)
+    if(!removed[e.first] && !removed[e.second]) {
+      adjacency[e.first].push_back(e.second);
+      adjacency[e.second].push_back(e.first);
+    }
+  const auto is_cap = [&](std::size_t v) { return v >= separators && adjacency[v].size() == 1; };
+  for(std::size_t v = separators; v < adjacency.size(); ++v) {
+    if(!is_cap(v))
+      continue;
+    // A single cross-section between two caps keeps them: a vertex alone has no direction.
+    const std::vector<std::size_t>& next = adjacency[adjacency[v].front()];
+    removed[v] = std::count_if(next.begin(), next.end(), is_cap) == 1;
+  }
+}
+
+/// Removes the ends that are no limbs, and bridges made of a few outliers.
+class Spur_pruning
+{
+public:
+  /// The first `separators` vertices of `graph` are cross-sections.
+  Spur_pruning(const Skeleton_graph& graph, std::size_t separators,
+               const std::vector<Patch>& patches,
+               const std::vector<std::vector<std::size_t>>& patches_of)
+    : graph_(graph), separators_(separators), patches_(patches), patches_of_(patches_of)
+  {}
+
+  /// Marks the vertices of spurs, the least slender first: removing one may turn its junction into a
+  /// plain vertex and two short branches into a long one.
+  std::vector<bool> spurs() const
+  {
+    std::vector<bool> removed(graph_.vertices.size(), false);
+    for(;;) {
+      Skeleton_graph rest = graph_; // with the vertices of `graph_`, so that indices stay
+      rest.edges.clear();
+      for(const Skeleton_graph::Edge& e : graph_.edges)
+        if(!removed[e.first] && !removed[e.second])
+          rest.edges.push_back(e);
+      const auto adjacency = rest.adjacency();
+      double least = least_slenderness;
+      Branch spur;
+      for(Branch branch : branches(rest)) {
+        if(adjacency[branch.front()].size() == 1)
+          std::reverse(branch.begin(), branch.end());
+        if(branch.size() < 2 || adjacency[branch.front()].size() < 3 ||
+           adjacency[branch.back()].size() == 2)
+          continue;
+        const bool ends = adjacency[branch.back()].size() == 1;
+        const bool thin = number_of_patches(branch, ends) < least_patches;
+        if(!ends && (branch.size() < 3 || !thin || !is_detour(branch, rest)))
+          continue;
+        const double s = thin ? 0 : slenderness(branch);
+        if(s < least) {
+          least = s;
+          spur = branch;
+        }
+      }
+      if(spur.empty())
+        return removed;
+      for(std::size_t k = 1; k < spur.size(); ++k)
+        removed[spur[k]] = adjacency[spur[k]].size() < 3;
+    }
+  }
+
+private:
+  /// The patches of a branch, without those of its junctions.
+  std::size_t number_of_patches(const Branch& branch, bool ends) const
+  {
+    std::size_t result = 0;
+    for(std::size_t k = 1; k + (ends ? 0 : 1) < branch.size(); ++k)
+      result += patches_of_[branch[k]].size();
+    return result;
+  }
+
+  /// Whether the graph stays as connected as it is without a branch between two junctions.
+  static bool is_detour(const Branch& branch, const Skeleton_graph& graph)
+  {
+    Connectivity connectivity(graph.vertices.size());
+    for(const Skeleton_graph::Edge& e : graph.edges)
+      if(e.first != branch[1] && e.second != branch[1])
+        connectivity.join(e.first, e.second);
+    return connectivity.root(branch.front()) == connectivity.root(branch.back());
+  }
+
+  /// The largest ratio of what lies beyond a cross-section of a branch to half the width of it, from
+  /// its junction to its end.
+  double slenderness(const Branch& branch) const
+  {
+    double result = 0;
+    for(std::size_t k = 1; k < branch.size(); ++k) {
+      if(branch[k] >= separators_)
+        continue;
+      const std::vector<double> width = distances(branch, k, k + 1);
+      const std::vector<double> length = distances(branch, k, branch.size());
+      // Without the furthest twentieth, two at the least: outliers stick out of the surface.
+      const std::size_t last = length.size() - 1;
+      const std::size_t reached = last - std::min(last, std::max<std::size_t>(2, last / 20));
+      if(width.back() > 0)
+        result = std::max(result, length[reached] / width.back());
+    }
+    return result;
+  }
+
+  /// How far the patches of some vertices of a branch are from its `k`-th, ascending.
+  std::vector<double> distances(const Branch& branch, std::size_t k, std::size_t end) const
+  {
+    std::vector<double> result;
+    for(std::size_t l = k; l < end; ++l)
+      for(std::size_t i : patches_of_[branch[l]])
+        result.push_back((patches_[i].mean - graph_.vertices[branch[k]].position).norm());
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  const Skeleton_graph& graph_;
+  std::size_t separators_;
+  const std::vector<Patch>& patches_;
+  const std::vector<std::vector<std::size_t>>& patches_of_;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_PRUNE_SPURS_H

@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_REFINE_CURVE_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_REFINE_CURVE_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/curve/branches.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// Smooths the branches, ends and junctions staying where they are, by Taubin's pair of a shrinking
+/// and a slightly larger growing step (1995): bends stay, the zigzag between samples goes.
+inline void smooth(Skeleton_graph& graph)
+{
+  constexpr int rounds = 10;          // evens out about three vertices to either side
+  constexpr double shrink = 0.5, grow = -0.53;
+  const auto adjacency = graph.adjacency();
+  for(int step = 0; step < 2 * rounds; ++step) {
+    const std::vector<Skeleton_graph::Vertex> old = graph.vertices;
+    for(std::size_t v = 0; v < old.size(); ++v)
+      if(adjacency[v].size() == 2) {
+        const Vector3 middle =
+          (old[adjacency[v][0]].position + old[adjacency[v][1]].position) / 2;
+        graph.vertices[v].position += (step % 2 ? grow : shrink) * (middle - old[v].position);
+      }
+  }
+}
+
+/// Replaces every branch by evenly spaced vertices about `step` apart; ends and junctions stay.
+/// A closed branch keeps three edges at least and one between two junctions two, so that the graph
+/// has neither loops of one edge nor parallel ones.
+inline Skeleton_graph resampled(const Skeleton_graph& graph, double step)
+{
+  const auto adjacency = graph.adjacency();
+  Skeleton_graph result;
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> index(graph.vertices.size(), none);
+  const auto node = [&](std::size_t v) {
+    if(index[v] == none) {
+      index[v] = result.vertices.size();
+      result.vertices.push_back(graph.vertices[v]);
+    }
+    return index[v];
+  };
+  for(const Branch& branch : branches(graph)) {
+    std::size_t previous = node(branch.front());
+    if(branch.size() == 1)
+      continue;
+    const double total = length(branch, graph);
+    const bool between_junctions =
+      adjacency[branch.front()].size() > 2 && adjacency[branch.back()].size() > 2;
+    const double least = is_closed(branch) ? 3 : between_junctions ? 2 : 1;
+    const double pieces = std::max(least, std::round(total / step));
+    for(double k = 1; k < pieces; ++k) {
+      result.vertices.push_back(point_at(total * k / pieces, branch, graph));
+      result.edges.emplace_back(previous, result.vertices.size() - 1);
+      previous = result.vertices.size() - 1;
+    }
+    result.edges.emplace_back(previous, node(branch.back()));
+  }
+  return result;
+}
+
+/// The direction in which a branch leaves its end `v`, over a length of at least the radius there:
+/// the last edge alone may point anywhere.
+inline Vector3 end_direction(std::size_t v, const Skeleton_graph& graph,
+                             const std::vector<std::vector<std::size_t>>& adjacency)
+{
+  const Skeleton_graph::Vertex& end = graph.vertices[v];
+  const Branch branch = follow(v, adjacency[v][0], adjacency);
+  std::size_t k = 1;
+  while(k + 1 < branch.size() &&
+        (graph.vertices[branch[k]].position - end.position).norm() < 2 * end.radius)
+    ++k;
+  return (end.position - graph.vertices[branch[k]].position).normalized();
+}
+
+/// Moves the ends out to the tips: so far along its branch that the ball at the end reaches the
+/// furthest of the surface points that belong to it, and half as far again and again where that is not
+/// `inside`, as in a limb that bends at its end. `surface[v]` are those points.
+template <typename Inside>
+void extend_ends(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
+                 const Inside& inside)
+{
+  const auto adjacency = graph.adjacency();
+  for(std::size_t v = 0; v < adjacency.size(); ++v) {
+    if(adjacency[v].size() != 1)
+      continue;
+    Skeleton_graph::Vertex& end = graph.vertices[v];
+    const Vector3 direction = end_direction(v, graph, adjacency);
+    std::vector<double> reach;
+    for(const Vector3& p : surface[v])
+      reach.push_back(direction.dot(p - end.position));
+    if(reach.size() < 3)
+      continue;
+    // The third furthest: one or two patches may be outliers.
+    std::nth_element(reach.begin(), reach.begin() + 2, reach.end(), std::greater<double>());
+    Vector3 step = std::max(0.0, reach[2] - end.radius) * direction;
+    constexpr int halvings = 4; // what is left then does no harm
+    for(int halving = 0; halving < halvings && !inside(end.position + step); ++halving)
+      step /= 2;
+    end.position += step;
+  }
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_REFINE_CURVE_H

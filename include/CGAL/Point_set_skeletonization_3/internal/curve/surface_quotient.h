@@ -1,0 +1,220 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_SURFACE_QUOTIENT_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_SURFACE_QUOTIENT_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Ball_overlaps.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/local_separators.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel_for.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// The graph of the pieces that separators cut the surface into, with the patches of every vertex.
+struct Surface_quotient
+{
+  Skeleton_graph graph;
+  std::vector<std::size_t> vertex_of_patch;
+};
+
+/// Cuts the surface along separators. Every separator becomes a vertex between the two pieces on
+/// its sides, so that the graph has the loops of the surface: a handle is cut open by its
+/// separators, which its pieces connect, and what touches a separator on one side is one piece
+/// however many strips it falls into.
+///
+/// Limbs that touch are one surface to the points. So patches are one piece where the balls inside
+/// them are joined; where they are not - or where nothing is known - only if the shape would fall
+/// apart otherwise: a loop needs evidence, to hang together needs none.
+class Surface_cut
+{
+public:
+  Surface_cut(const std::vector<Patch>& patches, const Limb_joints& joints,
+              const std::vector<Local_separator>& separators)
+    : separators_(separators), separator_of_patch_(patches.size(), none),
+      connectivity_(2 * separators.size() + patches.size())
+  {
+    for(std::size_t s = 0; s < separators.size(); ++s)
+      for(std::size_t i : separators[s].patches)
+        separator_of_patch_[i] = s;
+
+    std::vector<Link> narrow = join_wide(joints);
+    std::stable_sort(narrow.begin(), narrow.end(),
+                     [](const Link& a, const Link& b) { return a.joint > b.joint; });
+    Connectivity whole = connectivity_; // with the separators' two sides one
+    for(std::size_t s = 0; s < separators.size(); ++s)
+      whole.join(node(s, 0), node(s, 1));
+    for(const Link& link : narrow)
+      if(whole.join(link.a, link.b))
+        connectivity_.join(link.a, link.b);
+  }
+
+  /// The separator of a patch; `none` if it belongs to a piece.
+  std::size_t separator(std::size_t patch) const { return separator_of_patch_[patch]; }
+  /// A name of the piece of a patch that belongs to no separator.
+  std::size_t piece(std::size_t patch) { return connectivity_.root(node(patch)); }
+  /// The same name for the piece on a side of a separator.
+  std::size_t piece(std::size_t separator, std::size_t side)
+  {
+    return connectivity_.root(node(separator, side));
+  }
+
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+private:
+  /// Two nodes that touch, and how wide their joint is, in [0, 1].
+  struct Link
+  {
+    double joint;
+    std::size_t a, b;
+  };
+
+  // Nodes: the two sides of every separator, then every patch.
+  std::size_t node(std::size_t separator, std::size_t side) const { return 2 * separator + side; }
+  std::size_t node(std::size_t patch) const { return 2 * separators_.size() + patch; }
+
+  /// Joins what touches in a wide joint; returns the other links.
+  std::vector<Link> join_wide(const Limb_joints& joints)
+  {
+    std::vector<Link> narrow;
+    for(std::size_t k = 0; k < joints.pairs().size(); ++k) {
+      const auto [i, j] = joints.pairs()[k];
+      if(separator_of_patch_[i] != none && separator_of_patch_[i] == separator_of_patch_[j])
+        continue;
+      const std::size_t a = end(i, j), b = end(j, i);
+      if(a == none || b == none)
+        continue;
+      if(joints.are_joined(k))
+        connectivity_.join(a, b);
+      else
+        narrow.push_back({joints.width(k), a, b});
+    }
+    return narrow;
+  }
+
+  /// The node of patch `i` where it touches patch `j`: its own, or if it belongs to a separator that
+  /// of the side where `j` is; `none` if `j` is on neither.
+  std::size_t end(std::size_t i, std::size_t j) const
+  {
+    const std::size_t s = separator_of_patch_[i];
+    if(s == none)
+      return node(i);
+    for(std::size_t side = 0; side < 2; ++side) {
+      const std::vector<std::size_t>& beside = separators_[s].sides[side];
+      if(std::binary_search(beside.begin(), beside.end(), j))
+        return node(s, side);
+    }
+    return none;
+  }
+
+  const std::vector<Local_separator>& separators_;
+  std::vector<std::size_t> separator_of_patch_;
+  Connectivity connectivity_;
+};
+
+/// The patches of every vertex.
+inline std::vector<std::vector<std::size_t>>
+patches_of_vertices(const std::vector<std::size_t>& vertex_of_patch, std::size_t vertices)
+{
+  std::vector<std::vector<std::size_t>> result(vertices);
+  for(std::size_t i = 0; i < vertex_of_patch.size(); ++i)
+    result[vertex_of_patch[i]].push_back(i);
+  return result;
+}
+
+/// The L1-median of some samples, by Weiszfeld's iteration from their mean: a few that went astray do
+/// not draw it away. \pre there is a sample
+inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
+                                     const std::vector<Sample>& samples)
+{
+  Skeleton_graph::Vertex result{Vector3::Zero(), 0};
+  for(std::size_t i : members) {
+    result.position += samples[i].position / static_cast<double>(members.size());
+    result.radius += samples[i].radius / static_cast<double>(members.size());
+  }
+  constexpr int iterations = 10; // it converges linearly, and a tenth of a radius is enough
+  for(int iteration = 0; iteration < iterations; ++iteration) {
+    Vector3 sum = Vector3::Zero();
+    double weight = 0;
+    for(std::size_t i : members) {
+      // Not closer than the place is known, lest one sample take all.
+      const double distance = std::max((samples[i].position - result.position).norm(),
+                                       0.1 * result.radius + least_spacing);
+      sum += (samples[i].position - result.position) / distance;
+      weight += 1 / distance;
+    }
+    result.position += sum / weight;
+  }
+  return result;
+}
+
+/// The surface quotient: every separator and every piece between separators made one vertex, in the
+/// middle of the samples of its patches.
+template <typename ConcurrencyTag>
+Surface_quotient surface_quotient(const std::vector<Patch>& patches,
+                                  const std::vector<Sample>& samples, const Limb_joints& joints,
+                                  const std::vector<Local_separator>& separators)
+{
+  constexpr std::size_t none = Surface_cut::none;
+  Surface_cut surface(patches, joints, separators);
+  Surface_quotient result;
+  result.graph.vertices.resize(separators.size(), {Vector3::Zero(), 0});
+  std::vector<std::pair<std::size_t, std::size_t>> beside; // a vertex beside a separator
+  std::vector<std::size_t> vertex_of_piece(2 * separators.size() + patches.size(), none);
+  const auto vertex = [&](std::size_t piece) {
+    if(vertex_of_piece[piece] == none) {
+      vertex_of_piece[piece] = result.graph.vertices.size();
+      result.graph.vertices.push_back({Vector3::Zero(), 0});
+    }
+    return vertex_of_piece[piece];
+  };
+  for(std::size_t s = 0; s < separators.size(); ++s) {
+    const std::size_t a = vertex(surface.piece(s, 0)), b = vertex(surface.piece(s, 1));
+    result.graph.edges.emplace_back(s, a);
+    if(a != b) {
+      result.graph.edges.emplace_back(s, b);
+      continue;
+    }
+    // A handle with one separator: the piece on its far side is the near one. A vertex of its own
+    // makes the loop, lest there be two edges between the same two vertices.
+    result.graph.edges.emplace_back(s, result.graph.vertices.size());
+    result.graph.edges.emplace_back(b, result.graph.vertices.size());
+    beside.emplace_back(result.graph.vertices.size(), s);
+    result.graph.vertices.push_back({Vector3::Zero(), 0});
+  }
+  for(std::size_t i = 0; i < patches.size(); ++i)
+    result.vertex_of_patch.push_back(surface.separator(i) != none ? surface.separator(i)
+                                                                   : vertex(surface.piece(i)));
+
+  std::vector<std::vector<std::size_t>> members =
+    patches_of_vertices(result.vertex_of_patch, result.graph.vertices.size());
+  // Separators that touch leave no patch in between: the piece lies in the middle of them.
+  std::vector<bool> empty(members.size());
+  for(std::size_t v = 0; v < members.size(); ++v)
+    empty[v] = members[v].empty();
+  for(const Skeleton_graph::Edge& e : result.graph.edges)
+    if(empty[e.second] && e.first < separators.size())
+      members[e.second].insert(members[e.second].end(), separators[e.first].patches.begin(),
+                               separators[e.first].patches.end());
+  for(const auto& pair : beside)
+    members[pair.first] = separators[pair.second].sides[1];
+  parallel_for<ConcurrencyTag>(members.size(), [&](std::size_t v) {
+    result.graph.vertices[v] = middle(members[v], samples);
+  });
+  return result;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_SURFACE_QUOTIENT_H

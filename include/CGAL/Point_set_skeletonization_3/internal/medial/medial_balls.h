@@ -1,0 +1,249 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_MEDIAL_BALLS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_MEDIAL_BALLS_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Per_thread.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Packet_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel_for.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/orient_patches.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// Normals that enclose more than this angle (cosine -0.3: 107 degrees) face each other. Balls
+/// between such patches only are stable medial balls: a bump or noise on one side makes none.
+constexpr double facing_normals = -0.3;
+
+/// The balls between the patches whose orientation can be trusted.
+class Facing_balls
+{
+public:
+  /// `tree` is over the patches; it has to stay.
+  Facing_balls(const std::vector<Patch>& patches, const std::vector<double>& confidence,
+               const Box_tree& tree)
+    : order_(tree.order()), tree_(tree)
+  {
+    const auto normal = [&](std::size_t i) -> Vector3 {
+      if(confidence[i] >= trusted_orientation)
+        return patches[i].normal;
+      return Vector3::Zero(); // which faces nothing
+    };
+    for(const Box& box : tree.boxes_of(normal))
+      normal_boxes_.push_back({box.lower.cast<float>(), box.upper.cast<float>()});
+    for(std::size_t i : tree.order())
+      normals_.push_back(normal(i).cast<float>());
+  }
+
+  /// Radii of the balls that touch a patch from inside and a patch that faces it: of the three
+  /// smallest the largest, so that two stray patches cannot make one. 0: nothing faces the patch.
+  template <typename ConcurrencyTag>
+  std::vector<double> radii() const
+  {
+    std::vector<double> result(order_.size(), 0);
+    constexpr std::size_t task_size = 16 * row_size; // of patches next to each other
+    const std::size_t tasks = (order_.size() + task_size - 1) / task_size;
+    parallel_for<ConcurrencyTag>(tasks, [&](std::size_t task) {
+      Leaves touched;
+      const std::size_t end = std::min(order_.size(), (task + 1) * task_size);
+      for(std::size_t first = task * task_size; first < end; first += row_size) {
+        Row balls(*this, first);
+        find_smallest(balls, touched);
+        for(std::size_t k = 0; k < row_size && first + k < end; ++k)
+          result[order_[first + k]] = balls.radius(k);
+      }
+    });
+    return result;
+  }
+
+private:
+  /// Begin and end of the patches of leaves.
+  using Leaves = std::vector<std::pair<std::size_t, std::size_t>>;
+
+  /// The smallest balls of patches next to each other.
+  class Row
+  {
+  public:
+    Row(const Facing_balls& all, std::size_t first)
+      : all_(all),
+        mean_(row_of([&](std::size_t k) { return all.tree_.positions()[all.bounded(first + k)]; })),
+        normal_(row_of([&](std::size_t k) { return all.normals_[all.bounded(first + k)]; }))
+    {}
+
+    /// That of the third smallest.
+    double radius(std::size_t k) const
+    {
+      const auto curvature = static_cast<double>(third_[static_cast<Eigen::Index>(k)]);
+      return curvature > 0 ? 1 / curvature : 0;
+    }
+
+    /// Whether one of the patches from `begin` to before `end` touches a ball that was larger.
+    bool look_at(std::size_t begin, std::size_t end)
+    {
+      const Row_values before = third_;
+      for(std::size_t other = begin; other < end; ++other)
+        look_at(other);
+      return (third_ - before).maxCoeff() > 0;
+    }
+
+    void look_at(std::size_t other)
+    {
+      const Eigen::Vector3f& normal = all_.normals_[other];
+      const Row_vectors d = mean_.to(all_.tree_.positions()[other]);
+      const Row_values face = is_positive(facing - normal_.dot(normal));
+      const Row_values curvature = (-2 * face * d.dot(normal_) / d.squared_norm().max(least)).max(0);
+      const Row_values rest = curvature.min(first_), second_rest = rest.min(second_);
+      first_ = first_.max(curvature);
+      second_ = second_.max(rest);
+      third_ = third_.max(second_rest);
+    }
+
+    /// Whether one of the patches of a node may face one of the row and touch its balls.
+    bool may_matter(std::size_t node) const
+    {
+      const Row_box &box = all_.tree_.boxes()[node], &normals = all_.normal_boxes_[node];
+      const Row_values cosine =
+        (normal_.x * normals.lower.x()).min(normal_.x * normals.upper.x()) +
+        (normal_.y * normals.lower.y()).min(normal_.y * normals.upper.y()) +
+        (normal_.z * normals.lower.z()).min(normal_.z * normals.upper.z());
+      // Of the points of the box the one with the least power to the largest ball.
+      const Row_values radius = 1 / third_.max(least);
+      const Row_vectors lower = mean_.to(box.lower), upper = mean_.to(box.upper);
+      const Row_vectors d{(-radius * normal_.x).max(lower.x).min(upper.x),
+                          (-radius * normal_.y).max(lower.y).min(upper.y),
+                          (-radius * normal_.z).max(lower.z).min(upper.z)};
+      const Row_values power = third_ * d.squared_norm() + 2 * d.dot(normal_);
+      return (cosine - facing).max(power).minCoeff() < 0;
+    }
+
+  private:
+    static constexpr auto facing = static_cast<float>(facing_normals);
+    static constexpr float least = 1e-20f; // instead of 0
+
+    const Facing_balls& all_;
+    Row_vectors mean_, normal_;
+    // The curvatures of the three smallest, the smallest ball first; 0: there is none.
+    Row_values first_ = Row_values::Zero(), second_ = Row_values::Zero(), third_ = Row_values::Zero();
+  };
+
+  /// Finds the smallest balls of a row. Begins with the leaves that those of the row before touch, and
+  /// leaves behind which ones they do.
+  void find_smallest(Row& balls, Leaves& touched) const
+  {
+    constexpr std::size_t most = 8; // leaves, all around a limb
+    const Leaves likely = std::exchange(touched, {});
+    const auto look_into = [&](const Leaves::value_type& leaf) {
+      if(balls.look_at(leaf.first, leaf.second))
+        touched.push_back(leaf);
+    };
+    std::for_each(likely.begin(), likely.end(), look_into);
+    tree_.visit_leaves(balls, [&](std::size_t begin, std::size_t end) {
+      const Leaves::value_type leaf(begin, end);
+      if(std::find(likely.begin(), likely.end(), leaf) == likely.end())
+        look_into(leaf);
+    });
+    if(touched.size() > most) // the balls were smaller when the last ones were found
+      touched.erase(touched.begin(), touched.end() - most);
+  }
+
+  std::size_t bounded(std::size_t place) const { return std::min(place, order_.size() - 1); }
+
+  const std::vector<std::size_t>& order_;
+  Row_tree tree_;
+  std::vector<Row_box> normal_boxes_; ///< Of every node of the tree.
+  std::vector<Eigen::Vector3f> normals_; ///< In the order of the tree; 0 if not to be trusted.
+};
+
+/// The median of a dozen values, by counting for every one how many are less: in a row that is faster
+/// than to sort, where no processor can guess which of two is. \pre there is one
+inline double median_of_few(const std::vector<double>& values)
+{
+  const auto middle = static_cast<int>(values.size() / 2);
+  for(double candidate : values) {
+    int less = 0, no_greater = 0;
+    for(double value : values) {
+      less += value < candidate;
+      no_greater += value <= candidate;
+    }
+    if(less <= middle && middle < no_greater)
+      return candidate;
+  }
+  return values.front(); // never: one of them is in the middle
+}
+
+/// One pass of a median filter over the neighbours on the surface that have a value (> 0).
+template <typename ConcurrencyTag>
+std::vector<double> median_filtered(const std::vector<double>& values,
+                                    const std::vector<Patch>& patches)
+{
+  std::vector<double> result = values;
+  Per_thread<ConcurrencyTag, std::vector<double>> buffers([] { return std::vector<double>(); });
+  parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
+    std::vector<double>& known = buffers.local();
+    known.clear();
+    if(values[i] > 0)
+      known.push_back(values[i]);
+    for(std::size_t j : patches[i].neighbors)
+      if(values[j] > 0)
+        known.push_back(values[j]);
+    if(!known.empty())
+      result[i] = median_of_few(known);
+  });
+  return result;
+}
+
+/// Bounds every value by those of the patches around it plus half of the way there: thickness changes
+/// no faster. What faces the tip of a limb is the body at its other end, not the tip's other side.
+inline void limit_slope(std::vector<double>& values, const std::vector<Patch>& patches)
+{
+  constexpr double slope = 0.5;
+  std::vector<std::size_t> queue; // in any order: it ends with the same values
+  std::vector<bool> waits(values.size(), true);
+  for(std::size_t i = 0; i < values.size(); ++i)
+    queue.push_back(i);
+  for(std::size_t next = 0; next < queue.size(); ++next) {
+    const std::size_t i = queue[next];
+    waits[i] = false;
+    if(!(values[i] > 0))
+      continue;
+    for(std::size_t j : patches[i].neighbors) {
+      const double most = values[i] + slope * (patches[i].mean - patches[j].mean).norm();
+      if(values[j] > most || !(values[j] > 0)) {
+        values[j] = most;
+        if(!waits[j])
+          queue.push_back(j);
+        waits[j] = true;
+      }
+    }
+  }
+}
+
+/// The radius of the medial ball at every patch: how thick the shape is there. Shrinking balls (Ma
+/// et al. 2012) are at the mercy of every patch nearby; restricted to patches that face each other
+/// the relative error is that of the patches over the thickness. Three passes of a median filter
+/// remove what is left of outliers, and patches without a ball get that of their surroundings; 0 where
+/// there is none at all. `tree` is over the patches.
+template <typename ConcurrencyTag>
+std::vector<double> medial_ball_radii(const std::vector<Patch>& patches,
+                                      const std::vector<double>& confidence, const Box_tree& tree)
+{
+  std::vector<double> radii = Facing_balls(patches, confidence, tree).radii<ConcurrencyTag>();
+  for(int pass = 0; pass < 3; ++pass)
+    radii = median_filtered<ConcurrencyTag>(radii, patches);
+  limit_slope(radii, patches);
+  return radii;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_MEDIAL_BALLS_H

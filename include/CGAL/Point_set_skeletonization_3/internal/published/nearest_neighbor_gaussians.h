@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_NEAREST_NEIGHBOR_GAUSSIANS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_NEAREST_NEIGHBOR_GAUSSIANS_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/Point_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/gaussian_functions.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel_for.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// How a point becomes a Gaussian; nothing here has a unit.
+struct Nearest_neighbor_options
+{
+  /// Number of neighbours k, at least 1; 8 make a ring around a point of a surface.
+  std::size_t neighbors = 8;
+
+  /// Variance added in every direction, as a fraction of the neighbours' mean variance; above 0.
+  ///
+  /// Patches merge if their divergence is small, and that grows with the angle between them the
+  /// faster the flatter they are: two equal discs at angle phi diverge by half of
+  /// (R - 1)^2 / R sin^2(phi), where R is the ratio of their variances in and across the plane.
+  /// A fraction of 0.01 means R = 151, and the limit of 2.2^2 / 2 is passed at 10 degrees; the
+  /// normal of 8 neighbours on a curved or noisy surface is less certain than that, most patches
+  /// then never merge, and noise decides how many. A fraction of 0.3 means R = 6: no angle alone
+  /// forbids to merge, only together with a distance. The mixture sizes are those of the paper
+  /// then, with or without noise. Scaling the whole covariance by 2 or 4 gives these sizes as well,
+  /// but blurs the surface along the plane, where nothing needs it.
+  double flatness = 0.3;
+
+  void check() const
+  {
+    CGAL_precondition(neighbors >= 1);
+    CGAL_precondition(flatness > 0);
+  }
+};
+
+/// Covariance about `center` of the neighbours found around it. They include `center` itself, which
+/// adds nothing and does not count.
+inline Matrix3 neighbor_covariance(const Vector3& center, const std::vector<Vector3>& points,
+                                   const std::vector<Neighbor_search::Neighbor>& found)
+{
+  Matrix3 sum = Matrix3::Zero();
+  for(const Neighbor_search::Neighbor& neighbor : found) {
+    const Vector3 d = points[neighbor.index] - center;
+    sum += d * d.transpose();
+  }
+  const std::size_t others = found.size() - 1;
+  return others == 0 ? sum : Matrix3(sum / static_cast<double>(others));
+}
+
+/// The distinct ones of some points in lexicographic order, and which of them each point is.
+struct Distinct_positions
+{
+  explicit Distinct_positions(const std::vector<Vector3>& points) : index_of(points.size())
+  {
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return lexicographically_less(points[a], points[b]);
+    });
+    for(std::size_t i : order) {
+      if(positions.empty() || positions.back() != points[i])
+        positions.push_back(points[i]);
+      index_of[i] = positions.size() - 1;
+    }
+  }
+
+  std::vector<Vector3> positions;
+  std::vector<std::size_t> index_of;
+};
+
+/// One Gaussian of weight 1 per point, in the order of the points: mean at the point, covariance of
+/// its `options.neighbors` nearest distinct positions about it, made positive definite relative to
+/// its own scale (or to the bounding box if there is one position only).
+///
+/// Duplicates count as one neighbour: they say something of the weight of a place, nothing of the
+/// distance to the next. The search runs over sorted positions, so that among equally distant
+/// neighbours the same are taken for any order of the points: permuted points give the same
+/// Gaussians permuted, bit by bit.
+///
+/// \param points in normalised coordinates, finite
+template <typename ConcurrencyTag>
+Gaussians nearest_neighbor_gaussians(const std::vector<Vector3>& points,
+                                     const Nearest_neighbor_options& options)
+{
+  options.check();
+  const Distinct_positions distinct(points);
+  const std::vector<Vector3>& positions = distinct.positions;
+  const Neighbor_search search(positions.size(),
+                               [&](std::size_t i) -> const Vector3& { return positions[i]; });
+
+  std::vector<Matrix3> covariances(positions.size());
+  parallel_for<ConcurrencyTag>(positions.size(), [&](std::size_t i) {
+    std::vector<Neighbor_search::Neighbor> found;
+    search.nearest(positions[i], options.neighbors + 1, found);
+    covariances[i] =
+      regularized(neighbor_covariance(positions[i], positions, found), options.flatness);
+  });
+
+  Gaussians result;
+  result.reserve(points.size());
+  for(std::size_t i = 0; i < points.size(); ++i)
+    result.push_back({1, points[i], covariances[distinct.index_of[i]]});
+  return result;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_NEAREST_NEIGHBOR_GAUSSIANS_H

@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_PUBLISHED_PROJECTION_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_PUBLISHED_PROJECTION_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/published/Point_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/attraction.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/kernel_growth.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel_for.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// The projection as published (Sec. 3.1 and 3.2); lengths in units of the diagonal.
+struct Published_projection_options
+{
+  /// "20 to 30 iterations turned out to be a good choice for all inputs" (Sec. 5).
+  std::size_t iterations = 30;
+
+  /// mu of Eq. 2, in [0, 0.5).
+  double repulsion = 0.35;
+
+  void check() const { CGAL_precondition(repulsion >= 0 && repulsion < 0.5); }
+};
+
+/// h^(0) = 2 diag / |P|^(1/3) (Huang et al. 2013).
+inline double initial_kernel_radius(std::size_t number_of_points)
+{
+  return 2 / std::cbrt(static_cast<double>(number_of_points));
+}
+
+/// theta is below 1e-2 at 0.55 h and below 4e-3 at 0.6 h; further components do not count.
+constexpr double published_reach = 0.6;
+
+/// 1 + sum of theta over the others: the density at every point, v of Eq. 7 and w of Eq. 8.
+template <typename ConcurrencyTag, typename Radius>
+std::vector<double> densities(const std::vector<Vector3>& points, const Radius& kernel_radius)
+{
+  const Neighbor_search search(points.size(), [&](std::size_t i) { return points[i]; });
+  std::vector<double> result(points.size(), 1);
+  parallel_for<ConcurrencyTag>(points.size(), [&](std::size_t i) {
+    const double h = kernel_radius(i);
+    std::vector<std::size_t> near;
+    search.within(points[i], published_reach * h, near);
+    for(std::size_t j : near)
+      if(j != i)
+        result[i] += theta((points[j] - points[i]).squaredNorm(), h);
+  });
+  return result;
+}
+
+/// A mixture whose components can be attracted to.
+struct Attractors
+{
+  explicit Attractors(const Gaussians& mixture)
+    : components(mixture.begin(), mixture.end()),
+      search(mixture.size(), [&](std::size_t i) { return mixture[i].mean; })
+  {
+    for(const Attractor& a : components)
+      extent = std::max(extent, 2 * std::sqrt(a.largest_variance()));
+  }
+
+  std::vector<Attractor> components;
+  Neighbor_search search;
+  double extent = 0; ///< Two standard deviations of the largest component.
+};
+
+/// F1 of Eq. 9: the local L1-median of the mixture around `q`; `q` itself where nothing is near.
+inline Vector3 attraction(const Vector3& q, double h, const Attractors& mixture)
+{
+  std::vector<std::size_t> near;
+  mixture.search.within(q, published_reach * h + mixture.extent, near);
+  Pull sum;
+  for(std::size_t j : near) {
+    const Pull pull = mixture.components[j].pull(q, h);
+    sum.weighted_position += pull.weighted_position;
+    sum.weight += pull.weight;
+  }
+  return sum.weight > 0 ? Vector3(sum.weighted_position / sum.weight) : q;
+}
+
+/// F2 of Eq. 4 with the weights of Eq. 6 and 8 for eta(r) = -r (Huang et al. 2009): away from the
+/// other samples. Samples at the very same place have no direction to part in and do not count.
+inline Vector3 repulsion(std::size_t i, const std::vector<Sample>& samples,
+                         const std::vector<std::size_t>& near, const std::vector<double>& density)
+{
+  const double h = samples[i].kernel_radius;
+  Vector3 sum = Vector3::Zero();
+  double weight = 0;
+  for(std::size_t j : near) {
+    const Vector3 d = samples[i].position - samples[j].position;
+    const double r = d.norm();
+    if(j == i || !(r > 0))
+      continue;
+    const double beta = density[j] * theta(r * r, h) / r;
+    sum += beta * d;
+    weight += beta;
+  }
+  return weight > 0 ? Vector3(sum / weight) : sum;
+}
+
+/// Eq. 2 with kernels grown by Eq. 10, a fixed number of times; every iteration reads the positions
+/// of the one before.
+template <typename ConcurrencyTag>
+Projection_outcome project_as_published(std::vector<Sample>& samples, const Gaussians& mixture,
+                                        const Published_projection_options& options,
+                                        const Progress& progress)
+{
+  options.check();
+  Projection_outcome outcome;
+  if(samples.empty())
+    return outcome;
+  const Attractors attractors(mixture);
+  const double growth = samples.front().kernel_radius / 2; // delta h of Eq. 10
+  outcome.reason = Projection_stop_reason::fixed_number;
+  for(; outcome.iterations < options.iterations; ++outcome.iterations) {
+    std::vector<Vector3> positions;
+    for(const Sample& s : samples)
+      positions.push_back(s.position);
+    const std::vector<double> density = densities<ConcurrencyTag>(
+      positions, [&](std::size_t i) { return samples[i].kernel_radius; });
+    const Neighbor_search search(positions.size(), [&](std::size_t i) { return positions[i]; });
+
+    std::vector<Sample> next = samples;
+    parallel_for<ConcurrencyTag>(samples.size(), [&](std::size_t i) {
+      const Sample& s = samples[i];
+      std::vector<std::size_t> near;
+      search.within(s.position, s.kernel_radius, near);
+      next[i].position = attraction(s.position, s.kernel_radius, attractors) +
+                         options.repulsion * repulsion(i, samples, near, density);
+      next[i].kernel_radius +=
+        growth * growth_factor(s.position, s.kernel_radius, positions, near);
+    });
+    samples.swap(next);
+    if(!progress(static_cast<double>(outcome.iterations + 1) /
+                 static_cast<double>(options.iterations))) {
+      outcome.reason = Projection_stop_reason::cancelled;
+      return outcome;
+    }
+  }
+  return outcome;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_PUBLISHED_PROJECTION_H

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_BALL_OVERLAPS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_BALL_OVERLAPS_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel_for.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/patches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
+
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// The ball inside the limb that a patch belongs to.
+struct Limb_ball
+{
+  Vector3 center = Vector3::Zero();
+  double radius = 0; ///< 0: not known.
+};
+
+/// The ball of every patch: around its sample, if that is off the surface. Patches without one take
+/// that of the nearest patch along the surface, but not across a crease and not from far away: where
+/// two limbs touch no normal can be trusted, and every patch is beside the limb it belongs to.
+inline std::vector<Limb_ball> limb_balls(const std::vector<Patch>& patches,
+                                         const std::vector<Sample>& samples)
+{
+  constexpr double reach = 3;       // spacings: half of what a normal is estimated from, and a bit
+  constexpr double ball_share = 0.5; // radii: a thick limb touches another with more patches
+  constexpr double crease = 0.3;    // cosine of 70 degrees between normals
+
+  std::vector<Limb_ball> balls(patches.size());
+  using Step = std::tuple<double, std::size_t, std::size_t>; // way, patch, the one it comes from
+  std::priority_queue<Step, std::vector<Step>, std::greater<Step>> queue;
+  for(std::size_t i = 0; i < patches.size(); ++i) {
+    const double radius = (samples[i].position - patches[i].mean).norm();
+    if(radius > 0.01 * patches[i].spacing)
+      balls[i] = {samples[i].position, radius};
+  }
+  const auto is_unknown = [&](std::size_t i) { return balls[i].radius == 0; };
+  for(std::size_t i = 0; i < patches.size(); ++i) {
+    const std::vector<std::size_t>& neighbors = patches[i].neighbors;
+    if(!is_unknown(i) && std::any_of(neighbors.begin(), neighbors.end(), is_unknown)) // few are
+      queue.emplace(0, i, i);
+  }
+  std::vector<bool> done(patches.size(), false);
+  while(!queue.empty()) {
+    const Step step = queue.top();
+    queue.pop();
+    const std::size_t i = std::get<1>(step), from = std::get<2>(step);
+    if(done[i])
+      continue;
+    done[i] = true;
+    balls[i] = balls[from];
+    const double limit = std::max(reach * patches[from].spacing, ball_share * balls[from].radius);
+    for(std::size_t j : patches[i].neighbors) {
+      const double way = std::get<0>(step) + (patches[i].mean - patches[j].mean).norm();
+      if(is_unknown(j) && way < limit && patches[i].normal.dot(patches[j].normal) > crease)
+        queue.emplace(way, j, from);
+    }
+  }
+  return balls;
+}
+
+/// How wide the joint between two balls is: the radius of the circle in which they meet over that of
+/// the smaller ball, 1 if the centre of that is beyond. Neighbours in one limb have nearly the same
+/// ball, and where a limb leaves another both balls hold the joint; the balls of two limbs that only
+/// touch do not meet. \pre both are known
+inline double joint_width(const Limb_ball& a, const Limb_ball& b)
+{
+  const double smaller = std::min(a.radius, b.radius), larger = std::max(a.radius, b.radius);
+  const double distance = (a.center - b.center).norm();
+  if(distance >= smaller + larger)
+    return 0;
+  // How far the plane of the circle lies from the centre of the smaller ball, in its radii.
+  const double beyond = distance * distance + smaller * smaller - larger * larger;
+  if(beyond <= 0)
+    return 1;
+  const double plane = beyond / (2 * distance * smaller);
+  return std::sqrt(std::max(0.0, 1 - plane * plane));
+}
+
+/// How wide neighbouring patches are joined inside the shape, in [0, 1]: 1 in a limb, towards 0 from
+/// one limb to another that it touches.
+class Limb_joints
+{
+public:
+  /// `unknown` is the width where a patch has no ball.
+  template <typename ConcurrencyTag = Sequential_tag>
+  Limb_joints(const std::vector<Patch>& patches, const std::vector<Sample>& samples, double unknown,
+              ConcurrencyTag = ConcurrencyTag())
+    : pairs_(neighboring_pairs(patches)), widths_(pairs_.size())
+  {
+    const std::vector<Limb_ball> balls = limb_balls(patches, samples);
+    parallel_for<ConcurrencyTag>(pairs_.size(), [&](std::size_t k) {
+      const Limb_ball &a = balls[pairs_[k].a], &b = balls[pairs_[k].b];
+      widths_[k] = a.radius > 0 && b.radius > 0 ? joint_width(a, b) : unknown;
+    });
+  }
+
+  /// The pairs of neighbouring patches.
+  const std::vector<Patch_pair>& pairs() const { return pairs_; }
+
+  /// Of the `k`-th pair.
+  double width(std::size_t k) const { return widths_[k]; }
+
+  /// Whether a limb goes on from one to the other. The radius of the joint is half of that of the
+  /// limb where two round limbs of the same size cross each other with an eighth of their width.
+  bool are_joined(std::size_t k) const { return width(k) >= least_joint; }
+
+private:
+  static constexpr double least_joint = 0.5;
+
+  std::vector<Patch_pair> pairs_;
+  std::vector<double> widths_;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_BALL_OVERLAPS_H

@@ -1,0 +1,222 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_CLOSED_CURVE_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_CLOSED_CURVE_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Winding_number.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// A rubber band in the solid: a closed curve that becomes shorter as far as it can without leaving
+/// the solid. Around a hole of the shape it stays; elsewhere it shrinks to a point, however it is
+/// bent. A hole of the data does not hold it: the winding number closes that.
+class Rubber_band
+{
+public:
+  /// `curve` has its points in order. \pre it is not empty; `resolution` is positive
+  Rubber_band(const std::vector<Vector3>& curve, double resolution,
+              const Winding_number& winding_number)
+      : resolution_(resolution)
+      , winding_number_(winding_number)
+  {
+    double length = 0;
+    for(std::size_t i = 0; i < curve.size(); ++i)
+      length += (curve[i] - next(curve, i)).norm();
+    double way = 0;
+    std::size_t k = 0;
+    for(std::size_t i = 0; i < curve.size(); ++i) {
+      const double step = (curve[i] - next(curve, i)).norm();
+      for(; k < size && at(k) * length <= way + step; ++k) {
+        const double t = step > 0 ? (at(k) * length - way) / step : 0;
+        points_[k] = curve[i] + t * (next(curve, i) - curve[i]);
+      }
+      way += step;
+    }
+    for(; k < size; ++k) // rounding
+      points_[k] = curve.front();
+  }
+
+  /// Whether all of its points are in the solid.
+  bool is_solid() const
+  {
+    const std::vector<double> values = winding_number_.at_places<Sequential_tag>(
+      size_, [&](std::size_t k) { return points_[k]; });
+    return *std::min_element(values.begin(), values.end()) >= air;
+  }
+
+  /// Whether the solid lets the curve be moved onto another one point by point, in the straight way
+  /// from each to the nearest: then both shrink, or neither. \pre the other one is solid
+  bool can_become(const Rubber_band& other) const
+  {
+    const std::array<Vector3, size> target = other.points_beside(*this);
+    for(std::size_t k = 0; k < size; ++k)
+      if(!is_solid_before(points_[k], target[k]))
+        return false;
+    return true;
+  }
+
+  /// Whether the curve shrinks to a point.
+  bool shrinks()
+  {
+    constexpr int most_steps = 60; // half a dozen are usual
+    constexpr double slow = 0.98;  // of the shortest before
+    constexpr int patience = 3;    // it may have to slide around a corner first
+    const double point = CGAL_PI * resolution_; // a circle as wide as the resolution
+    double length = this->length(), shortest = length; // it may tremble in between
+    for(int step = 0, stuck = 0; step < most_steps && stuck < patience; ++step) {
+      drop_points(length);
+      tighten();
+      length = this->length();
+      if(length < point)
+        return true;
+      stuck = length > slow * shortest ? stuck + 1 : 0;
+      shortest = std::min(shortest, length);
+    }
+    return length < 2 * point;
+  }
+
+private:
+  // At first; a hole is wider than a thirty-second of the way around.
+  static constexpr std::size_t size = 32;
+
+  static double at(std::size_t k) { return static_cast<double>(k) / size; }
+
+  static const Vector3& next(const std::vector<Vector3>& curve, std::size_t i)
+  {
+    return curve[i + 1 < curve.size() ? i + 1 : 0];
+  }
+
+  /// Its points from where and in the direction in which they are closest to those of another one.
+  std::array<Vector3, size> points_beside(const Rubber_band& other) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    std::array<Vector3, size> result;
+    for(const std::size_t direction : {std::size_t(1), size - 1})
+      for(std::size_t first = 0; first < size; ++first) {
+        double sum = 0;
+        for(std::size_t k = 0; k < size && sum < least; ++k)
+          sum += (points_[(first + k * direction) % size] - other.points_[k]).squaredNorm();
+        if(sum < least) {
+          least = sum;
+          for(std::size_t k = 0; k < size; ++k)
+            result[k] = points_[(first + k * direction) % size];
+        }
+      }
+    return result;
+  }
+
+  double length() const
+  {
+    double result = (points_.front() - points_[size_ - 1]).norm();
+    for(std::size_t k = 1; k < size_; ++k)
+      result += (points_[k] - points_[k - 1]).norm();
+    return result;
+  }
+
+  /// Drops every other point as long as those that are left lie closer than two resolutions on a curve
+  /// of some length: nothing that holds it is thinner.
+  void drop_points(double length)
+  {
+    constexpr std::size_t least = 16; // with eight, a curve cuts the corners of what holds it
+    while(size_ > least && length < static_cast<double>(size_) * resolution_) {
+      size_ /= 2;
+      for(std::size_t k = 0; k < size_; ++k)
+        points_[k] = points_[2 * k];
+    }
+  }
+
+  /// Moves every point to the mean of as long a part of the curve around it as the solid lets it;
+  /// a point at a wall slides along it.
+  void tighten()
+  {
+    for(std::size_t i = 0; i < size_; ++i) {
+      std::array<Vector3, 4> means; // a quarter of the curve to either side, half of that, ...
+      for(std::size_t k = 0; k < means.size(); ++k)
+        means[k] = mean_around(i, std::max<std::size_t>(1, size_ >> (k + 2)));
+      const std::array<double, 4> winding_numbers = winding_number_(means);
+      bool moved = false;
+      for(std::size_t k = 0; k < 4 && !moved; ++k)
+        moved = winding_numbers[k] >= air && move(i, means[k]);
+      if(moved)
+        continue;
+      const Vector3 beside = means[3] + resolution_ / 2 * away_from_air(points_[i]);
+      if(winding_number_(beside) >= air)
+        move(i, beside);
+    }
+  }
+
+  Vector3 mean_around(std::size_t i, std::size_t reach) const
+  {
+    Vector3 mean = Vector3::Zero();
+    for(std::size_t k = size_ - reach; k <= size_ + reach; ++k)
+      mean += points_[(i + k) % size_];
+    return mean / static_cast<double>(2 * reach + 1);
+  }
+
+  /// The direction in which the winding number grows, from the corners of a tetrahedron around.
+  Vector3 away_from_air(const Vector3& p) const
+  {
+    const double h = resolution_ / (2 * std::sqrt(3.0));
+    const std::array<Vector3, 4> corners = {
+      {{h, h, h}, {h, -h, -h}, {-h, h, -h}, {-h, -h, h}}};
+    std::array<Vector3, 4> places;
+    for(std::size_t k = 0; k < 4; ++k)
+      places[k] = p + corners[k];
+    const std::array<double, 4> values = winding_number_(places);
+    Vector3 gradient = Vector3::Zero();
+    for(std::size_t k = 0; k < 4; ++k)
+      gradient += values[k] * corners[k];
+    return gradient.normalized();
+  }
+
+  /// \pre there is no air at `to`
+  bool move(std::size_t i, const Vector3& to)
+  {
+    const bool can = is_solid_before(points_[i], to);
+    if(can)
+      points_[i] = to;
+    return can;
+  }
+
+  static constexpr double air = 0.4; // 0.5 in the middle of a hole of the data, more behind it
+
+  /// Whether there is no air on the way to a place.
+  bool is_solid_before(const Vector3& from, const Vector3& to) const
+  {
+    constexpr double most_places = 16;
+    const double steps = 1 + std::min(most_places - 1, std::floor((to - from).norm() / resolution_));
+    for(double step = 1; step < steps; step += 4) {
+      std::array<Vector3, 4> places;
+      for(std::size_t k = 0; k < 4; ++k)
+        places[k] = from + std::min(1.0, (step + static_cast<double>(k)) / steps) * (to - from);
+      const std::array<double, 4> values = winding_number_(places);
+      if(*std::min_element(values.begin(), values.end()) < air)
+        return false;
+    }
+    return true;
+  }
+
+  std::size_t size_ = size; ///< Of its points, those that are left.
+  double resolution_;
+  const Winding_number& winding_number_;
+  std::array<Vector3, size> points_;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_CLOSED_CURVE_H

@@ -1,0 +1,192 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SPATIAL_K_NEAREST_NEIGHBORS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SPATIAL_K_NEAREST_NEIGHBORS_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/Point_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Per_thread.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Packet_tree.h>
+
+#include <boost/range/iterator_range.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// A neighbour and its squared distance.
+using Neighbor = Neighbor_search::Neighbor;
+
+/// The nearest neighbours of every point of a set, as many of each, nearest first: itself, if no other
+/// is there too.
+class Neighborhoods
+{
+public:
+  /// Not known yet.
+  Neighborhoods(std::size_t points, std::size_t k) : k_(k), neighbors_(points * k) {}
+
+  /// How many every point has.
+  std::size_t k() const { return k_; }
+
+  boost::iterator_range<const Neighbor*> operator[](std::size_t point) const
+  {
+    return {neighbors_.data() + point * k_, neighbors_.data() + (point + 1) * k_};
+  }
+
+  boost::iterator_range<Neighbor*> operator[](std::size_t point)
+  {
+    return {neighbors_.data() + point * k_, neighbors_.data() + (point + 1) * k_};
+  }
+
+private:
+  std::size_t k_;
+  std::vector<Neighbor> neighbors_; ///< Those of one point after the other.
+};
+
+/// The neighbours of points of a tree that are next to each other.
+class Neighborhood_row
+{
+public:
+  Neighborhood_row(const Box_tree& tree, const Row_tree& row_tree, std::size_t k)
+    : tree_(tree), row_tree_(row_tree), smallest_(k)
+  {}
+
+  /// Looks for the neighbours of the points `place(k)`, k < row_size, in the order of the tree.
+  template <typename Place>
+  void look_around(const Place& place)
+  {
+    points_ = row_of([&](std::size_t k) { return row_tree_.positions()[place(k)]; });
+    std::fill(smallest_.begin(), smallest_.end(),
+              Row_values::Constant(std::numeric_limits<float>::max()));
+    seen_.clear();
+    distances_.clear();
+    // Those beside the first bound what may be nearer.
+    const std::size_t wide = row_size + smallest_.size();
+    const std::size_t first = place(0) - std::min(place(0), wide);
+    const std::size_t end = std::min(place(0) + wide, row_tree_.positions().size());
+    look_at(first, end);
+    row_tree_.visit_leaves(*this, [&](std::size_t b, std::size_t e) {
+      look_at(b, std::min(e, first));
+      look_at(std::max(b, end), e);
+    });
+  }
+
+  /// Whether a point of a node may be among the nearest.
+  bool may_matter(std::size_t node) const
+  {
+    return points_.is_any_closer(row_tree_.boxes()[node], smallest_.back());
+  }
+
+  /// Writes the neighbours of the `k`-th point, which is at `position`, to `result`.
+  void neighbors(std::size_t k, const Vector3& position, Neighbor* result)
+  {
+    const auto row = static_cast<Eigen::Index>(k);
+    const float farthest = smallest_.back()[row];
+    near_.resize(seen_.size() + 1);
+    std::size_t size = 0;
+    for(std::size_t i = 0; i < seen_.size(); ++i) { // without a branch
+      near_[size] = seen_[i];
+      size += distances_[i][row] <= farthest;
+    }
+    nearest_.resize(size);
+    for(std::size_t i = 0; i < size; ++i)
+      nearest_[i] = {(tree_.positions()[near_[i]] - position).squaredNorm(), tree_.order()[near_[i]]};
+    std::sort(nearest_.begin(), nearest_.end());
+    std::copy_n(nearest_.begin(), smallest_.size(), result);
+  }
+
+private:
+  void look_at(std::size_t begin, std::size_t end)
+  {
+    for(std::size_t other = begin; other < end; ++other) {
+      const Row_vectors d = points_.to(row_tree_.positions()[other]);
+      Row_values squared = d.squared_norm();
+      seen_.push_back(other);
+      distances_.push_back(squared);
+      for(Row_values& smaller : smallest_) { // puts it in its place
+        const Row_values greater = smaller.max(squared);
+        smaller = smaller.min(squared);
+        squared = greater;
+      }
+    }
+  }
+
+  const Box_tree& tree_;
+  const Row_tree& row_tree_;
+  Row_vectors points_;
+  std::vector<Row_values> smallest_; ///< Squared distances, the smallest first.
+  std::vector<std::size_t> seen_, near_;
+  std::vector<Row_values> distances_; ///< To what was seen.
+  std::vector<Neighbor> nearest_;     ///< Of one of them, and some more.
+};
+
+/// Writes the nearest of some points of a tree, `places` in its order, to `result`; quick if points next
+/// to each other in `places` are close.
+template <typename ConcurrencyTag>
+void find_neighbors(const Box_tree& tree, const std::vector<std::size_t>& places,
+                    Neighborhoods& result)
+{
+  const Row_tree row_tree(tree);
+  Per_thread<ConcurrencyTag, Neighborhood_row> rows(
+    [&] { return Neighborhood_row(tree, row_tree, result.k()); });
+  for_each_row<ConcurrencyTag>(places.size(), [&](std::size_t first, std::size_t end) {
+    Neighborhood_row& row = rows.local();
+    row.look_around([&](std::size_t i) { return places[std::min(first + i, end - 1)]; });
+    for(std::size_t i = first; i < end; ++i)
+      row.neighbors(i - first, tree.positions()[places[i]],
+                    result[tree.order()[places[i]]].begin());
+  });
+}
+
+/// The `k` nearest of every point of a tree, or all if there are fewer, told apart in single precision.
+template <typename ConcurrencyTag>
+Neighborhoods neighborhoods(const Box_tree& tree, std::size_t k)
+{
+  const std::size_t size = tree.order().size();
+  Neighborhoods result(size, std::min(k, size));
+  std::vector<std::size_t> places(size);
+  std::iota(places.begin(), places.end(), std::size_t(0));
+  find_neighbors<ConcurrencyTag>(tree, places, result);
+  return result;
+}
+
+/// The same from those of more points: `index_of[i]` is the new index of the `i`-th of them, no less
+/// than the size of the tree if it was dropped. Asks again where a neighbour was.
+template <typename ConcurrencyTag>
+Neighborhoods renumbered(const Neighborhoods& before, const std::vector<std::size_t>& index_of,
+                         const Box_tree& tree)
+{
+  const std::size_t size = tree.order().size();
+  Neighborhoods result(size, std::min(before.k(), size));
+  std::vector<bool> known(size, false);
+  for(std::size_t i = 0; i < index_of.size(); ++i) {
+    const auto dropped = [&](const Neighbor& neighbor) { return index_of[neighbor.index] >= size; };
+    if(index_of[i] >= size || std::any_of(before[i].begin(), before[i].end(), dropped))
+      continue;
+    const auto nearest = result[index_of[i]];
+    std::transform(before[i].begin(), before[i].end(), nearest.begin(), [&](const Neighbor& neighbor) {
+      return Neighbor{neighbor.squared_distance, index_of[neighbor.index]};
+    });
+    std::sort(nearest.begin(), nearest.end());
+    known[index_of[i]] = true;
+  }
+  std::vector<std::size_t> unknown;
+  for(std::size_t place = 0; place < size; ++place)
+    if(!known[tree.order()[place]])
+      unknown.push_back(place);
+  find_neighbors<ConcurrencyTag>(tree, unknown, result);
+  return result;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SPATIAL_K_NEAREST_NEIGHBORS_H

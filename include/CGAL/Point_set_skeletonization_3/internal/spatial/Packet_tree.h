@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SPATIAL_PACKET_TREE_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SPATIAL_PACKET_TREE_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel_for.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+// What is asked at places next to each other is asked at a row of them at once: they look at much the
+// same points. In single precision the values of a row fill two registers of four, and without a branch
+// there is nothing that a processor could guess wrong, which is where most of the time of a search goes.
+
+/// Places of a row.
+constexpr std::size_t row_size = 8;
+
+/// A value for every place of a row.
+using Row_values = Eigen::Array<float, row_size, 1>;
+
+/// An axis-parallel box.
+struct Row_box
+{
+  Eigen::Vector3f lower, upper;
+};
+
+/// A vector for every place of a row.
+struct Row_vectors
+{
+  Row_values x, y, z;
+
+  /// The way from every place to a point.
+  Row_vectors to(const Eigen::Vector3f& p) const { return {p.x() - x, p.y() - y, p.z() - z}; }
+
+  auto dot(const Eigen::Vector3f& v) const { return x * v.x() + y * v.y() + z * v.z(); }
+  auto dot(const Row_vectors& v) const { return x * v.x + y * v.y + z * v.z; }
+  auto squared_norm() const { return x * x + y * y + z * z; }
+
+  /// Whether one of the places is closer to a box than its distance, which is given squared.
+  bool is_any_closer(const Row_box& box, const Row_values& squared_distance) const
+  {
+    const Row_vectors to_box{(box.lower.x() - x).max(x - box.upper.x()).max(0),
+                             (box.lower.y() - y).max(y - box.upper.y()).max(0),
+                             (box.lower.z() - z).max(z - box.upper.z()).max(0)};
+    return (to_box.squared_norm() - squared_distance).minCoeff() < 0;
+  }
+};
+
+/// `vector(k)` at the `k`-th place of a row.
+template <typename Vector>
+Row_vectors row_of(const Vector& vector)
+{
+  Row_vectors result;
+  for(std::size_t k = 0; k < row_size; ++k) {
+    const Eigen::Vector3f v = vector(k);
+    const auto row = static_cast<Eigen::Index>(k);
+    result.x[row] = v.x();
+    result.y[row] = v.y();
+    result.z[row] = v.z();
+  }
+  return result;
+}
+
+/// 1 for every value that is positive, else 0. Refers to the values.
+template <typename Values>
+auto is_positive(const Values& values)
+{
+  return (values * std::numeric_limits<float>::max()).max(0).min(1);
+}
+
+/// Calls `body(first, end)` for the rows `first <= k < end` of `size` places, possibly concurrently
+/// under `Parallel_tag`; `end - first` is `row_size` but for the last.
+template <typename ConcurrencyTag, typename Body>
+void for_each_row(std::size_t size, const Body& body)
+{
+  parallel_for<ConcurrencyTag>((size + row_size - 1) / row_size, [&](std::size_t row) {
+    body(row * row_size, std::min(size, (row + 1) * row_size));
+  });
+}
+
+/// A box tree in single precision, for the questions of rows.
+class Row_tree
+{
+public:
+  /// Over a tree; it has to stay.
+  explicit Row_tree(const Box_tree& tree) : tree_(tree)
+  {
+    if(tree.nodes().empty())
+      return;
+    origin_ = (tree.boxes().front().lower + tree.boxes().front().upper) / 2;
+    boxes_.reserve(tree.boxes().size());
+    positions_.reserve(tree.positions().size());
+    for(const Box& box : tree.boxes())
+      boxes_.push_back({place(box.lower), place(box.upper)});
+    for(const Vector3& p : tree.positions())
+      positions_.push_back(place(p));
+  }
+
+  /// A place in the coordinates of this tree.
+  Eigen::Vector3f place(const Vector3& p) const { return (p - origin_).cast<float>(); }
+
+  /// The points, in the order of the leaves.
+  const std::vector<Eigen::Vector3f>& positions() const { return positions_; }
+  /// The bounding box of every node.
+  const std::vector<Row_box>& boxes() const { return boxes_; }
+
+  /// Calls `look_at(begin, end)` for the points of every leaf for which `row.may_matter(node)` is true
+  /// for it and all nodes above.
+  template <typename Row, typename Look_at>
+  void visit_leaves(const Row& row, const Look_at& look_at) const
+  {
+    tree_.visit_leaves([&row](std::size_t node) { return row.may_matter(node); }, look_at);
+  }
+
+private:
+  const Box_tree& tree_;
+  Vector3 origin_ = Vector3::Zero(); ///< The middle: single precision is about the points' extent.
+  std::vector<Eigen::Vector3f> positions_;
+  std::vector<Row_box> boxes_;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SPATIAL_PACKET_TREE_H

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SPATIAL_NEAREST_POINTS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SPATIAL_NEAREST_POINTS_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Packet_tree.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// The points of a tree that are nearest to the places of a row.
+class Nearest_points_row
+{
+public:
+  template <typename Place>
+  Nearest_points_row(const Row_tree& tree, const Place& place)
+    : tree_(tree), places_(row_of([&](std::size_t k) { return tree.place(place(k)); }))
+  {}
+
+  /// The place in the order of the tree of the nearest point.
+  std::size_t nearest(std::size_t k) const
+  {
+    return static_cast<std::size_t>(nearest_[static_cast<Eigen::Index>(k)]);
+  }
+
+  void look_at(std::size_t begin, std::size_t end)
+  {
+    for(std::size_t point = begin; point < end; ++point) {
+      const Row_vectors d = places_.to(tree_.positions()[point]);
+      const Row_values squared = d.squared_norm();
+      nearest_ += is_positive(squared_ - squared) * (static_cast<float>(point) - nearest_);
+      squared_ = squared_.min(squared);
+    }
+  }
+
+  /// Whether a point of a node may be nearer.
+  bool may_matter(std::size_t node) const
+  {
+    return places_.is_any_closer(tree_.boxes()[node], squared_);
+  }
+
+private:
+  const Row_tree& tree_;
+  Row_vectors places_;
+  Row_values squared_ = Row_values::Constant(std::numeric_limits<float>::max()); ///< Distances.
+  Row_values nearest_ = Row_values::Zero(); ///< Whole numbers.
+};
+
+/// The point of a tree that is nearest to `place(k)`, k < `size`, in single precision. Quick if places
+/// next to each other are close. \pre there are points, not more than 2^24
+template <typename ConcurrencyTag, typename Place>
+std::vector<std::size_t> nearest_points(const Box_tree& tree, std::size_t size, const Place& place)
+{
+  const Row_tree row_tree(tree);
+  std::vector<std::size_t> result(size);
+  for_each_row<ConcurrencyTag>(size, [&](std::size_t first, std::size_t end) {
+    Nearest_points_row row(row_tree,
+                           [&](std::size_t k) { return place(std::min(first + k, end - 1)); });
+    row_tree.visit_leaves(row, [&](std::size_t b, std::size_t e) { row.look_at(b, e); });
+    for(std::size_t k = first; k < end; ++k)
+      result[k] = tree.order()[row.nearest(k - first)];
+  });
+  return result;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SPATIAL_NEAREST_POINTS_H

@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_PATCH_GRAPH_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_PATCH_GRAPH_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/surface/patches.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/range/iterator_range.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// Two neighbouring patches, `a` before `b`.
+struct Patch_pair
+{
+  std::uint32_t a, b;
+};
+
+/// The pairs of neighbouring patches, each once, in lexicographic order.
+inline std::vector<Patch_pair> neighboring_pairs(const std::vector<Patch>& patches)
+{
+  CGAL_precondition(patches.size() <= std::numeric_limits<std::uint32_t>::max());
+  std::size_t size = 0;
+  for(const Patch& patch : patches)
+    size += patch.neighbors.size();
+  std::vector<Patch_pair> result;
+  result.reserve(size / 2);
+  for(std::size_t i = 0; i < patches.size(); ++i) {
+    const std::vector<std::size_t>& neighbors = patches[i].neighbors; // ascending
+    for(auto j = std::upper_bound(neighbors.begin(), neighbors.end(), i); j != neighbors.end(); ++j)
+      result.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(*j)});
+  }
+  return result;
+}
+
+/// Edges between neighbouring patches, those from one patch after the other in memory.
+class Patch_edges
+{
+public:
+  struct Edge // small: most of the time of a region goes into reading them
+  {
+    std::uint32_t patch;
+    float length;
+  };
+
+  /// Those of all `neighboring_pairs()`.
+  Patch_edges(const std::vector<Patch>& patches, const std::vector<Patch_pair>& pairs)
+    : Patch_edges(patches, pairs, [](std::size_t) { return true; })
+  {}
+
+  /// Those of the pairs with `has(k)` for the `k`-th.
+  template <typename Predicate>
+  Patch_edges(const std::vector<Patch>& patches, const std::vector<Patch_pair>& pairs,
+              const Predicate& has)
+    : first_(patches.size() + 2, 0)
+  {
+    std::vector<std::size_t> kept;
+    kept.reserve(pairs.size());
+    for(std::size_t k = 0; k < pairs.size(); ++k)
+      if(has(k)) {
+        kept.push_back(k);
+        ++first_[pairs[k].a + 2];
+        ++first_[pairs[k].b + 2];
+      }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    edges_.resize(first_.back());
+    for(std::size_t k : kept) { // afterwards first_[i] is what it is called
+      const Patch_pair& pair = pairs[k];
+      const auto length = static_cast<float>((patches[pair.a].mean - patches[pair.b].mean).norm());
+      edges_[first_[pair.a + 1]++] = {pair.b, length};
+      edges_[first_[pair.b + 1]++] = {pair.a, length};
+    }
+  }
+
+  /// The edges from a patch, those to lower indices first.
+  boost::iterator_range<const Edge*> operator[](std::size_t i) const
+  {
+    return {edges_.data() + first_[i], edges_.data() + first_[i + 1]};
+  }
+
+private:
+  std::vector<std::size_t> first_; ///< Of the edges from every patch.
+  std::vector<Edge> edges_;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_PATCH_GRAPH_H

@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_VISIBLE_SURFACE_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_VISIBLE_SURFACE_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Packet_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/patches.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// How far the surface is that a place sees from inside.
+class Visible_patches
+{
+public:
+  /// `tree` is over the patches; it has to stay.
+  Visible_patches(const std::vector<Patch>& patches, const std::vector<double>& confidence,
+                  const Box_tree& tree)
+    : box_tree_(tree), tree_(tree)
+  {
+    for(std::size_t i : tree.order()) {
+      normals_.push_back(patches[i].normal.cast<float>());
+      // Where `visibility()` falls to a half; it never does where the confidence is too low.
+      const double cosine = confidence[i] >= 0.5 ? -0.1 - 0.1 / confidence[i] : -2;
+      least_cosines_.push_back(static_cast<float>(cosine));
+    }
+  }
+
+  /// The distance from `place(k)`, k < `size`, to the nearest patch that it sees from inside; 0 if it
+  /// sees none. Quick if places next to each other are close.
+  template <typename ConcurrencyTag, typename Place>
+  std::vector<double> distances(std::size_t size, const Place& place) const
+  {
+    return distances_after<ConcurrencyTag>(size, place, [](Row&, std::size_t, std::size_t) {});
+  }
+
+  /// The same from a place for every patch, `place(i)`; quicker if it sees the patch.
+  template <typename ConcurrencyTag, typename Place>
+  std::vector<double> distances_beside_patches(const Place& place) const
+  {
+    const auto look_at_patches = [](Row& row, std::size_t first, std::size_t end) {
+      row.look_at(first, end);
+    };
+    const std::vector<std::size_t>& order = box_tree_.order();
+    return box_tree_.by_index(distances_after<ConcurrencyTag>(
+      order.size(), [&](std::size_t k) { return place(order[k]); }, look_at_patches));
+  }
+
+private:
+  class Row
+  {
+  public:
+    template <typename Place>
+    Row(const Visible_patches& patches, const Place& place)
+      : patches_(patches),
+        places_(row_of([&](std::size_t k) { return patches.tree_.place(place(k)); }))
+    {}
+
+    double distance(std::size_t k) const
+    {
+      const float squared = squared_[static_cast<Eigen::Index>(k)];
+      return squared < far ? std::sqrt(static_cast<double>(squared)) : 0;
+    }
+
+    void look_at(std::size_t begin, std::size_t end)
+    {
+      for(std::size_t patch = begin; patch < end; ++patch)
+        look_at(patch);
+    }
+
+    void look_at(std::size_t patch)
+    {
+      const Row_vectors d = places_.to(patches_.tree_.positions()[patch]);
+      const Row_values squared = d.squared_norm();
+      const Row_values hidden = is_positive(patches_.least_cosines_[patch] * squared.sqrt() -
+                                            d.dot(patches_.normals_[patch]));
+      squared_ = squared_.min(squared + far * hidden);
+    }
+
+    /// Whether a patch of a node may be nearer.
+    bool may_matter(std::size_t node) const
+    {
+      return places_.is_any_closer(patches_.tree_.boxes()[node], squared_);
+    }
+
+  private:
+    static constexpr float far = 1e20f; // from everything
+
+    const Visible_patches& patches_;
+    Row_vectors places_;
+    Row_values squared_ = Row_values::Constant(far); ///< Distances.
+  };
+
+  /// `begin(row, first, end)` may let a row look at what it probably sees.
+  template <typename ConcurrencyTag, typename Place, typename Begin>
+  std::vector<double> distances_after(std::size_t size, const Place& place, const Begin& begin) const
+  {
+    std::vector<double> result(size);
+    for_each_row<ConcurrencyTag>(size, [&](std::size_t first, std::size_t end) {
+      Row row(*this, [&](std::size_t k) { return place(std::min(first + k, end - 1)); });
+      begin(row, first, end);
+      tree_.visit_leaves(row, [&](std::size_t b, std::size_t e) { row.look_at(b, e); });
+      for(std::size_t k = first; k < end; ++k)
+        result[k] = row.distance(k - first);
+    });
+    return result;
+  }
+
+  const Box_tree& box_tree_;
+  Row_tree tree_;
+  // Of the patches, in the order of the tree.
+  std::vector<Eigen::Vector3f> normals_;
+  std::vector<float> least_cosines_;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_VISIBLE_SURFACE_H
