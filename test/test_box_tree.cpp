@@ -162,7 +162,7 @@ TEST_CASE("The neighbourhoods of points are what a look at every point gives")
     CAPTURE(size, seed);
     const std::vector<Vector3> points = cloud(size);
     constexpr std::size_t wanted = 11;
-    const Neighborhoods found = neighborhoods<CGAL::Sequential_tag>(tree_of(points), wanted);
+    const K_nearest_neighbors found = neighborhoods<CGAL::Sequential_tag>(tree_of(points), wanted);
     for(std::size_t i = 0; i < size; ++i) {
       std::vector<double> expected;
       for(const Vector3& p : points)
@@ -190,7 +190,7 @@ TEST_CASE("The distance to the nearest patch that is seen from inside")
   for(std::size_t i = 0; i < confidence.size(); ++i)
     confidence[i] = static_cast<double>(i % 11) / 10;
   const Box_tree tree = tree_over(patches);
-  const Visible_patches visible(patches, confidence, tree);
+  const Visible_surface visible(patches, confidence, tree);
   const auto expected = [&](const Vector3& q) {
     double nearest = std::numeric_limits<double>::infinity();
     for(std::size_t i = 0; i < patches.size(); ++i) {
@@ -216,7 +216,7 @@ TEST_CASE("The distance to the nearest patch that is seen from inside")
   // From outside of all, with every patch turned towards the place away from it.
   const std::vector<Patch> one = {patches[0]};
   const Box_tree tree_of_one = tree_over(one);
-  CHECK(Visible_patches(one, {1}, tree_of_one)
+  CHECK(Visible_surface(one, {1}, tree_of_one)
           .distances<CGAL::Sequential_tag>(
             1, [&](std::size_t) { return Vector3(2 * patches[0].mean); })[0] == 0);
 }

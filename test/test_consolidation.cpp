@@ -86,9 +86,9 @@ TEST_CASE("neighbourhoods of the points that are left are those asked anew")
     using Tag = CGAL::Sequential_tag;
     const Box_tree tree_of_all(all.size(), [&](std::size_t i) { return all[i]; });
     const Box_tree tree_of_left(left.size(), [&](std::size_t i) { return left[i]; });
-    const Neighborhoods known =
+    const K_nearest_neighbors known =
       renumbered<Tag>(neighborhoods<Tag>(tree_of_all, 7), index_of, tree_of_left);
-    const Neighborhoods asked = neighborhoods<Tag>(tree_of_left, 7);
+    const K_nearest_neighbors asked = neighborhoods<Tag>(tree_of_left, 7);
     for(std::size_t i = 0; i < left.size(); ++i) {
       REQUIRE(known[i].size() == asked[i].size());
       for(std::size_t k = 0; k < asked[i].size(); ++k)

@@ -95,13 +95,13 @@ std::vector<std::pair<std::size_t, bool>> pieces_of(std::vector<Sign_link> links
 TEST_CASE("Every pair of neighbours is an edge of both")
 {
   const std::vector<Patch> patches = two_spheres();
-  const std::vector<Patch_pair> pairs = neighboring_pairs(patches);
+  const std::vector<Patch_pair> pairs = adjacent_pairs(patches);
   std::size_t neighbors = 0;
   for(const Patch& patch : patches)
     neighbors += patch.neighbors.size();
   REQUIRE(2 * pairs.size() == neighbors);
-  const Patch_edges all(patches, pairs);
-  const Patch_edges odd(patches, pairs, [](std::size_t k) { return k % 2 == 1; });
+  const Patch_graph all(patches, pairs);
+  const Patch_graph odd(patches, pairs, [](std::size_t k) { return k % 2 == 1; });
   for(std::size_t i = 0; i < patches.size(); ++i) {
     std::vector<std::size_t> to;
     for(const auto& edge : all[i]) {

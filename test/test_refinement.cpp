@@ -39,7 +39,7 @@ Skeleton_graph squares(std::size_t size)
 
 std::size_t components(const Skeleton_graph& graph)
 {
-  Connectivity connectivity(graph.vertices.size());
+  Union_find connectivity(graph.vertices.size());
   std::size_t result = graph.vertices.size();
   for(const Skeleton_graph::Edge& e : graph.edges)
     result -= connectivity.join(e.first, e.second) ? 1 : 0;

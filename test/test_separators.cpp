@@ -95,9 +95,9 @@ struct Solid_torus
   Box_tree tree{patches.size(), [&](std::size_t i) { return patches[i].mean; }};
   Winding_number winding_number{patches, tree};
 
-  Rubber_band band(const std::vector<Vector3>& curve) const
+  Closed_curve band(const std::vector<Vector3>& curve) const
   {
-    return Rubber_band(curve, patches.front().spacing, winding_number);
+    return Closed_curve(curve, patches.front().spacing, winding_number);
   }
 };
 
@@ -145,7 +145,7 @@ TEST_CASE("A rubber band that goes there and back in a bent limb shrinks to a po
 TEST_CASE("A rubber band becomes another on the same way, wherever and whichever way it starts")
 {
   const Solid_torus solid;
-  const Rubber_band band = solid.band(arc(ring_radius, 0, 2 * CGAL_PI));
+  const Closed_curve band = solid.band(arc(ring_radius, 0, 2 * CGAL_PI));
   CHECK(band.can_become(band));
   CHECK(band.can_become(solid.band(arc(ring_radius + 0.1, 1, 1 + 2 * CGAL_PI))));
   CHECK(band.can_become(solid.band(arc(ring_radius - 0.1, 2, 2 - 2 * CGAL_PI))));
@@ -162,8 +162,8 @@ TEST_CASE("A ring around a limb is a separator, an arc of it is none")
   const std::vector<Patch>& patches = solid.patches;
   const Winding_number& winding_number = solid.winding_number;
   const std::vector<Sample> samples = torus_samples(patches);
-  const Limb_joints joints(patches, samples, 0);
-  Way_around<> way_around(patches, samples, joints, winding_number);
+  const Ball_overlaps joints(patches, samples, 0);
+  Separator_test<> way_around(patches, samples, joints, winding_number);
   const auto cuts = [&](const Local_separator& separator) {
     return way_around.cuts(separator, way_around.evidence({&separator}).front());
   };
@@ -175,16 +175,16 @@ TEST_CASE("A ring around a limb is a separator, an arc of it is none")
 
 TEST_CASE("Joints of balls: whole within a limb, nothing between limbs that touch")
 {
-  const Limb_ball ball{Vector3(0, 0, 0), 1};
-  CHECK(joint_width(ball, ball) == 1);
-  CHECK(joint_width(ball, {Vector3(0.1, 0, 0), 1}) > 0.99);
-  CHECK(joint_width(ball, {Vector3(2, 0, 0), 1}) == 0);
-  CHECK(joint_width(ball, {Vector3(50, 0, 0), 1}) == 0);
+  const Medial_ball ball{Vector3(0, 0, 0), 1};
+  CHECK(relative_overlap(ball, ball) == 1);
+  CHECK(relative_overlap(ball, {Vector3(0.1, 0, 0), 1}) > 0.99);
+  CHECK(relative_overlap(ball, {Vector3(2, 0, 0), 1}) == 0);
+  CHECK(relative_overlap(ball, {Vector3(50, 0, 0), 1}) == 0);
   // A small limb that leaves a large one.
-  CHECK(joint_width(ball, {Vector3(0.9, 0, 0), 0.1}) == 1);
+  CHECK(relative_overlap(ball, {Vector3(0.9, 0, 0), 0.1}) == 1);
   // The circle where two unit balls at distance d meet has the radius sqrt(1 - d^2 / 4).
-  CHECK(joint_width(ball, {Vector3(0, 1.6, 0), 1}) == Approx(0.6));
-  CHECK(joint_width({Vector3(0, 1.6, 0), 1}, ball) == Approx(0.6));
+  CHECK(relative_overlap(ball, {Vector3(0, 1.6, 0), 1}) == Approx(0.6));
+  CHECK(relative_overlap({Vector3(0, 1.6, 0), 1}, ball) == Approx(0.6));
 }
 
 TEST_CASE("A limb that is inside out is turned around")

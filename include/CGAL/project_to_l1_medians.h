@@ -41,7 +41,7 @@ bool project_to_l1_medians(const Gaussian_mixture_3<GeomTraits>& mixture,
   if(!means.empty()) {
     const internal::Gaussians components =
       internal::normalized_level<GeomTraits>(mixture.levels.front(), normalization);
-    const internal::Oriented_surface<ConcurrencyTag> surface(
+    const internal::Surface<ConcurrencyTag> surface(
       components, internal::tree_of_means<ConcurrencyTag>(components));
     const std::size_t iterations = internal::Projection_options().maximum_iterations;
     const internal::Projection_outcome outcome = internal::project_patches<ConcurrencyTag>(

@@ -24,14 +24,14 @@ namespace Point_set_skeletonization_3 {
 namespace internal {
 
 /// What a Gaussian window on the mixture shows around a place.
-struct Local_fit
+struct Local_shape
 {
   Vector3 mean = Vector3::Zero();
   Vector3 normal = Vector3::UnitZ();
   Vector3 axis = Vector3::UnitX(); ///< Of the largest variance.
-  double elongation = 0;           ///< In [0, 1]: 0 not twice as long as wide, 1 a line.
+  double linearity = 0;           ///< In [0, 1]: 0 not twice as long as wide, 1 a line.
   double density = 0;   ///< Weight in the window over its area.
-  double roughness = 1; ///< The smallest principal variance over the next: 0 a plane, 1 a blob.
+  double sphericity = 1; ///< The smallest principal variance over the next: 0 a plane, 1 a blob.
   double thickness = 0; ///< Square root of the smallest principal variance.
 };
 
@@ -123,10 +123,10 @@ public:
   /// Weight in the window around a place over its area.
   double density(const Vector3& q) { return moments(q)[0] / (radius_ * radius_); }
 
-  Local_fit operator()(const Vector3& q)
+  Local_shape operator()(const Vector3& q)
   {
     const Moment_vector sum = moments(q);
-    Local_fit fit;
+    Local_shape fit;
     fit.mean = q;
     if(!(sum[0] > 0))
       return fit;
@@ -142,12 +142,12 @@ public:
     fit.normal = solver.eigenvectors().col(0);
     fit.axis = solver.eigenvectors().col(2);
     if(variance[2] > 0)
-      fit.elongation = std::max(0.0, 1 - 4 * variance[1] / variance[2]);
+      fit.linearity = std::max(0.0, 1 - 4 * variance[1] / variance[2]);
     fit.thickness = std::sqrt(variance[0]);
     fit.density = sum[0] / (radius_ * radius_);
     // A line, to rounding, is as rough as a blob: it has no normal.
     if(variance[1] > 1e-10 * variance[2])
-      fit.roughness = variance[0] / variance[1];
+      fit.sphericity = variance[0] / variance[1];
     return fit;
   }
 

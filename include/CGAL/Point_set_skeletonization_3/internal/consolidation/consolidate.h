@@ -39,7 +39,7 @@ struct Consolidated_surface
 ///
 /// The window that this takes has to be wider than the noise and narrower than the limbs. Noise makes
 /// small windows rough, curvature and neighbouring sheets make large ones rough; so it is the first
-/// of a row of sizes whose roughness is small, or grows with the next size. What counts is the first
+/// of a row of sizes whose sphericity is small, or grows with the next size. What counts is the first
 /// quartile over the shape: noise is everywhere, and nearly every shape is smooth for a quarter.
 /// A component moves to the plane fitted in its window, or in a narrower one where that shows a limb
 /// all around; in a twig as thin as the noise across it to the mean, as mean shift does (Comaniciu &
@@ -49,7 +49,7 @@ class Surface_consolidation
 {
 public:
   /// Refers to the mixture, to the tree over its means and to their `neighborhoods()`, of nine or more.
-  Surface_consolidation(const Gaussians& mixture, const Box_tree& tree, const Neighborhoods& nearest)
+  Surface_consolidation(const Gaussians& mixture, const Box_tree& tree, const K_nearest_neighbors& nearest)
     : mixture_(mixture), tree_(&tree), nearest_(nearest), spacings_(spacings()),
       spacing_(std::max(quantile(spacings_, 0.5), std::numeric_limits<double>::min())),
       radii_(radii())
@@ -226,10 +226,10 @@ private:
   }
 
   /// What a window of one size shows around every n-th component; nothing of the others.
-  std::vector<Local_fit> fits(std::size_t size, std::size_t every)
+  std::vector<Local_shape> fits(std::size_t size, std::size_t every)
   {
     make_window(size);
-    std::vector<Local_fit> result(mixture_.size());
+    std::vector<Local_shape> result(mixture_.size());
     for_each([&](std::size_t i, Views& views) {
       if(i % every == 0)
         result[i] = views[size](result_.positions[i]);
@@ -252,18 +252,18 @@ private:
     constexpr std::size_t every = 7; // some hundreds are enough
     double least = std::numeric_limits<double>::infinity();
     for(std::size_t size = 0; size < sizes; ++size) {
-      const std::vector<Local_fit> fits = this->fits(size, size == 0 ? 1 : every);
-      std::vector<double> roughness, thickness;
+      const std::vector<Local_shape> fits = this->fits(size, size == 0 ? 1 : every);
+      std::vector<double> sphericity, thickness;
       for(std::size_t i = 0; i < fits.size(); i += every) {
-        roughness.push_back(fits[i].roughness);
+        sphericity.push_back(fits[i].sphericity);
         thickness.push_back(fits[i].thickness);
       }
-      const double quartile = quantile(roughness, 0.25);
+      const double quartile = quantile(sphericity, 0.25);
       // Uneven sampling alone measures up to 0.03, noise of a quarter of the spacing 0.05 and more.
       // So much noise that it fills a volume evenly has no scatter, but nothing is smooth.
       if(size == 0) {
         density_.clear();
-        for(const Local_fit& fit : fits)
+        for(const Local_shape& fit : fits)
           density_.push_back(fit.density);
         strength_ = std::min(1.0, std::max({0.0, (scatter(fits) - 0.03) / 0.03,
                                             (quartile - 0.3) / 0.2}));
@@ -281,7 +281,7 @@ private:
   /// How far components lie off the surface through their neighbours, in the median over the shape,
   /// in radii of the window. On a curved surface all lie off their fitted plane, and by the same; only
   /// the difference from the neighbours is noise.
-  double scatter(const std::vector<Local_fit>& narrowest) const
+  double scatter(const std::vector<Local_shape>& narrowest) const
   {
     std::vector<Vector3> offset;
     for(std::size_t i = 0; i < narrowest.size(); ++i)
@@ -309,20 +309,20 @@ private:
 
   /// How far a limb that a window shows all around is drowned in the noise, in [0, 1]. Its radius is
   /// that of the noise where the thickness is 1.2 of that of the noise, twice that where it is 1.7.
-  double drowned(const Local_fit& fit) const
+  double drowned(const Local_shape& fit) const
   {
     return std::min(1.0, std::max(0.0, 2 * (1.65 - fit.thickness / noise_)));
   }
 
   /// What a component sees through its window. Where that shows a limb all around, narrower ones are
   /// tried, as long as they show something flatter.
-  Local_fit fit_through(Views& views, std::size_t size, const Vector3& position) const
+  Local_shape fit_through(Views& views, std::size_t size, const Vector3& position) const
   {
-    constexpr double round = 0.2; // roughness
-    Local_fit fit = views[size](position);
-    while(size-- > 0 && fit.roughness > round && drowned(fit) < 0.5) {
-      const Local_fit narrower = views[size](position);
-      if(narrower.roughness > fit.roughness)
+    constexpr double round = 0.2; // sphericity
+    Local_shape fit = views[size](position);
+    while(size-- > 0 && fit.sphericity > round && drowned(fit) < 0.5) {
+      const Local_shape narrower = views[size](position);
+      if(narrower.sphericity > fit.sphericity)
         break;
       const double density = fit.density; // of windows of one size only, they are compared
       fit = narrower;
@@ -377,12 +377,12 @@ private:
     density_.assign(mixture_.size(), 0);
     for_each_kept([&](std::size_t i, Views& views) {
       Vector3& position = result_.positions[i]; // the windows keep the ones before
-      const Local_fit fit = fit_through(views, size[i], position);
+      const Local_shape fit = fit_through(views, size[i], position);
       density_[i] = fit.density;
-      const double blob = std::min(1.0, std::max(0.0, (fit.roughness - 0.1) / 0.2));
+      const double blob = std::min(1.0, std::max(0.0, (fit.sphericity - 0.1) / 0.2));
       const Vector3 step = fit.mean - position;
       // Along a twig nothing moves, or its points would gather in lumps.
-      const Vector3 across = step - fit.elongation * fit.axis.dot(step) * fit.axis;
+      const Vector3 across = step - fit.linearity * fit.axis.dot(step) * fit.axis;
       position += share * ((1 - blob) * fit.normal.dot(step) * fit.normal +
                            blob * drowned(fit) * across);
     });
@@ -435,7 +435,7 @@ private:
 
   const Gaussians& mixture_;
   const Box_tree* tree_; ///< Over the mixture, as long as nothing has moved.
-  const Neighborhoods& nearest_;
+  const K_nearest_neighbors& nearest_;
   std::vector<double> spacings_;
   double spacing_;
   std::array<double, sizes> radii_; ///< Of the windows.

@@ -14,10 +14,10 @@ namespace Point_set_skeletonization_3 {
 namespace internal {
 
 /// Disjoint sets of the numbers below `size`.
-class Connectivity
+class Union_find
 {
 public:
-  explicit Connectivity(std::size_t size) : parent_(size)
+  explicit Union_find(std::size_t size) : parent_(size)
   {
     std::iota(parent_.begin(), parent_.end(), std::size_t(0));
   }

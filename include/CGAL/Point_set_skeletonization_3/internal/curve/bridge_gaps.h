@@ -32,10 +32,10 @@ public:
       : graph_(graph)
       , spacing_(spacing)
       , adjacency_(graph.adjacency())
-      , connectivity_(graph.vertices.size())
+      , sets_(graph.vertices.size())
   {
     for(const Skeleton_graph::Edge& e : graph.edges)
-      connectivity_.join(e.first, e.second);
+      sets_.join(e.first, e.second);
   }
 
   /// Adds the plausible bridges.
@@ -45,7 +45,7 @@ public:
     for(std::size_t v = 0; v < graph_.vertices.size(); ++v)
       if(adjacency_[v].size() == 1)
         for(std::size_t w = 0; w < graph_.vertices.size(); ++w)
-          if(connectivity_.root(v) != connectivity_.root(w) && is_plausible(v, w))
+          if(sets_.root(v) != sets_.root(w) && is_plausible(v, w))
             bridges.push_back({distance(v, w), v, w});
     add(bridges);
   }
@@ -58,7 +58,7 @@ public:
       bool one = true;
       for(std::size_t v = 0; v < graph_.vertices.size(); ++v)
         for(std::size_t w = v + 1; w < graph_.vertices.size(); ++w) {
-          const std::size_t a = connectivity_.root(v), b = connectivity_.root(w);
+          const std::size_t a = sets_.root(v), b = sets_.root(w);
           if(a == b)
             continue;
           one = false;
@@ -88,7 +88,7 @@ private:
   {
     constexpr double aligned = 0.8; // cosine of 37 degrees: limbs bend
     const Vector3 way = graph_.vertices[w].position - graph_.vertices[end].position;
-    return end_direction(end, graph_, adjacency_).dot(way) > aligned * way.norm();
+    return tip_direction(end, graph_, adjacency_).dot(way) > aligned * way.norm();
   }
 
   bool is_plausible(std::size_t end, std::size_t w) const
@@ -109,14 +109,14 @@ private:
   {
     std::sort(bridges.begin(), bridges.end());
     for(const Bridge& bridge : bridges)
-      if(connectivity_.join(std::get<1>(bridge), std::get<2>(bridge)))
+      if(sets_.join(std::get<1>(bridge), std::get<2>(bridge)))
         graph_.edges.emplace_back(std::get<1>(bridge), std::get<2>(bridge));
   }
 
   Skeleton_graph& graph_;
   double spacing_;
   std::vector<std::vector<std::size_t>> adjacency_; ///< Without the bridges.
-  Connectivity connectivity_;
+  Union_find sets_;
 };
 
 } // namespace internal

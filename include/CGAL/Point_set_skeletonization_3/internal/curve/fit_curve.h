@@ -41,7 +41,7 @@ public:
 
   /// `points` are those of the surface, noise and all; of a sample that is an outlier there is none.
   /// `noise` in [0, 1] tells how much there is.
-  Skeleton_fitting(Skeleton_graph& graph, const Oriented_surface<ConcurrencyTag>& surface,
+  Skeleton_fitting(Skeleton_graph& graph, const Surface<ConcurrencyTag>& surface,
                    const std::vector<Sample>& samples, const std::vector<Surface_point>& points,
                    double noise)
     : graph_(graph), surface_(surface), samples_(samples), points_(points), noise_(noise)
@@ -111,7 +111,7 @@ private:
     measure_radii();
     if(noise_ > 0)
       correct_radii(points);
-    extend_ends(graph_, points, [this](const Vector3& q) { return is_inside(q); });
+    extend_tips(graph_, points, [this](const Vector3& q) { return is_inside(q); });
     resample();
   }
 
@@ -173,7 +173,7 @@ private:
   }
 
   Skeleton_graph& graph_;
-  const Oriented_surface<ConcurrencyTag>& surface_;
+  const Surface<ConcurrencyTag>& surface_;
   const std::vector<Sample>& samples_;
   const std::vector<Surface_point>& points_;
   double noise_;

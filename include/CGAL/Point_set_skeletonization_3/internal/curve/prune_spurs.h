@@ -123,7 +123,7 @@ private:
   /// Whether the graph stays as connected as it is without a branch between two junctions.
   static bool is_detour(const Branch& branch, const Skeleton_graph& graph)
   {
-    Connectivity connectivity(graph.vertices.size());
+    Union_find connectivity(graph.vertices.size());
     for(const Skeleton_graph::Edge& e : graph.edges)
       if(e.first != branch[1] && e.second != branch[1])
         connectivity.join(e.first, e.second);

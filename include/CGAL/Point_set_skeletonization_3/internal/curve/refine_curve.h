@@ -73,7 +73,7 @@ inline Skeleton_graph resampled(const Skeleton_graph& graph, double step)
 
 /// The direction in which a branch leaves its end `v`, over a length of at least the radius there:
 /// the last edge alone may point anywhere.
-inline Vector3 end_direction(std::size_t v, const Skeleton_graph& graph,
+inline Vector3 tip_direction(std::size_t v, const Skeleton_graph& graph,
                              const std::vector<std::vector<std::size_t>>& adjacency)
 {
   const Skeleton_graph::Vertex& end = graph.vertices[v];
@@ -89,7 +89,7 @@ inline Vector3 end_direction(std::size_t v, const Skeleton_graph& graph,
 /// furthest of the surface points that belong to it, and half as far again and again where that is not
 /// `inside`, as in a limb that bends at its end. `surface[v]` are those points.
 template <typename Inside>
-void extend_ends(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
+void extend_tips(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
                  const Inside& inside)
 {
   const auto adjacency = graph.adjacency();
@@ -97,7 +97,7 @@ void extend_ends(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>&
     if(adjacency[v].size() != 1)
       continue;
     Skeleton_graph::Vertex& end = graph.vertices[v];
-    const Vector3 direction = end_direction(v, graph, adjacency);
+    const Vector3 direction = tip_direction(v, graph, adjacency);
     std::vector<double> reach;
     for(const Vector3& p : surface[v])
       reach.push_back(direction.dot(p - end.position));

@@ -24,7 +24,7 @@ constexpr double stray_share = 0.01;
 inline std::vector<bool> stray_vertices(const Skeleton_graph& graph,
                                         const std::vector<double>& weight)
 {
-  Connectivity connectivity(graph.vertices.size());
+  Union_find connectivity(graph.vertices.size());
   for(const Skeleton_graph::Edge& e : graph.edges)
     connectivity.join(e.first, e.second);
   std::vector<double> total(graph.vertices.size(), 0);

@@ -38,10 +38,10 @@ struct Surface_quotient
 class Surface_cut
 {
 public:
-  Surface_cut(const std::vector<Patch>& patches, const Limb_joints& joints,
+  Surface_cut(const std::vector<Patch>& patches, const Ball_overlaps& joints,
               const std::vector<Local_separator>& separators)
     : separators_(separators), separator_of_patch_(patches.size(), none),
-      connectivity_(2 * separators.size() + patches.size())
+      sets_(2 * separators.size() + patches.size())
   {
     for(std::size_t s = 0; s < separators.size(); ++s)
       for(std::size_t i : separators[s].patches)
@@ -50,22 +50,22 @@ public:
     std::vector<Link> narrow = join_wide(joints);
     std::stable_sort(narrow.begin(), narrow.end(),
                      [](const Link& a, const Link& b) { return a.joint > b.joint; });
-    Connectivity whole = connectivity_; // with the separators' two sides one
+    Union_find whole = sets_; // with the separators' two sides one
     for(std::size_t s = 0; s < separators.size(); ++s)
       whole.join(node(s, 0), node(s, 1));
     for(const Link& link : narrow)
       if(whole.join(link.a, link.b))
-        connectivity_.join(link.a, link.b);
+        sets_.join(link.a, link.b);
   }
 
   /// The separator of a patch; `none` if it belongs to a piece.
   std::size_t separator(std::size_t patch) const { return separator_of_patch_[patch]; }
   /// A name of the piece of a patch that belongs to no separator.
-  std::size_t piece(std::size_t patch) { return connectivity_.root(node(patch)); }
+  std::size_t piece(std::size_t patch) { return sets_.root(node(patch)); }
   /// The same name for the piece on a side of a separator.
   std::size_t piece(std::size_t separator, std::size_t side)
   {
-    return connectivity_.root(node(separator, side));
+    return sets_.root(node(separator, side));
   }
 
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -83,7 +83,7 @@ private:
   std::size_t node(std::size_t patch) const { return 2 * separators_.size() + patch; }
 
   /// Joins what touches in a wide joint; returns the other links.
-  std::vector<Link> join_wide(const Limb_joints& joints)
+  std::vector<Link> join_wide(const Ball_overlaps& joints)
   {
     std::vector<Link> narrow;
     for(std::size_t k = 0; k < joints.pairs().size(); ++k) {
@@ -93,8 +93,8 @@ private:
       const std::size_t a = end(i, j), b = end(j, i);
       if(a == none || b == none)
         continue;
-      if(joints.are_joined(k))
-        connectivity_.join(a, b);
+      if(joints.overlap(k))
+        sets_.join(a, b);
       else
         narrow.push_back({joints.width(k), a, b});
     }
@@ -118,7 +118,7 @@ private:
 
   const std::vector<Local_separator>& separators_;
   std::vector<std::size_t> separator_of_patch_;
-  Connectivity connectivity_;
+  Union_find sets_;
 };
 
 /// The patches of every vertex.
@@ -161,7 +161,7 @@ inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
 /// middle of the samples of its patches.
 template <typename ConcurrencyTag>
 Surface_quotient surface_quotient(const std::vector<Patch>& patches,
-                                  const std::vector<Sample>& samples, const Limb_joints& joints,
+                                  const std::vector<Sample>& samples, const Ball_overlaps& joints,
                                   const std::vector<Local_separator>& separators)
 {
   constexpr std::size_t none = Surface_cut::none;

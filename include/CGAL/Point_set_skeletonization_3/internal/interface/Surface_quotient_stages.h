@@ -34,7 +34,7 @@ namespace internal {
 /// Projects the patches of a mixture level, `components`, to their local medians, one sample per patch.
 template <typename ConcurrencyTag>
 Projection_outcome project_patches(const Gaussians& components,
-                                   const Oriented_surface<ConcurrencyTag>& surface,
+                                   const Surface<ConcurrencyTag>& surface,
                                    const Projection_options& options, const Progress& progress,
                                    std::vector<Sample>& samples)
 {
@@ -89,12 +89,12 @@ public:
     if(mixture.empty())
       return progress(1);
     Box_tree tree = tree_of_means<ConcurrencyTag>(mixture.front());
-    Neighborhoods nearest = patch_neighborhoods<ConcurrencyTag>(tree);
+    K_nearest_neighbors nearest = patch_neighborhoods<ConcurrencyTag>(tree);
     const Gaussians clean = consolidated(tree, nearest);
     if(!progress(0.3))
       return false;
     surface_ =
-      std::make_unique<Oriented_surface<ConcurrencyTag>>(clean, std::move(tree), nearest);
+      std::make_unique<Surface<ConcurrencyTag>>(clean, std::move(tree), nearest);
     if(!progress(0.6))
       return false;
     outcome = project_patches<ConcurrencyTag>(clean, *surface_, options_.projection,
@@ -107,7 +107,7 @@ public:
     if(samples.empty())
       return progress(1);
     std::vector<std::size_t> seeds;
-    std::optional<Limb_joints> joints;
+    std::optional<Ball_overlaps> joints;
     parallel_invoke<ConcurrencyTag>(
       [&] { seeds = separator_seeds<ConcurrencyTag>(samples); },
       // In clean data the ball of a patch is unknown where limbs touch; noise hides it in any thin limb.
@@ -144,7 +144,7 @@ private:
 
   /// Patches from the mixture without its noise and outliers. The tree and the neighbourhoods are those
   /// of the components, and become those of the patches.
-  Gaussians consolidated(Box_tree& tree, Neighborhoods& nearest)
+  Gaussians consolidated(Box_tree& tree, K_nearest_neighbors& nearest)
   {
     Consolidated_surface clean =
       Surface_consolidation<ConcurrencyTag>(mixture.front(), tree, nearest)();
@@ -202,7 +202,7 @@ private:
   }
 
   /// The graph: the surface quotient without spurs and outliers. Returns which patches are outliers.
-  std::vector<bool> connect(const Limb_joints& joints,
+  std::vector<bool> connect(const Ball_overlaps& joints,
                             const std::vector<Local_separator>& separators)
   {
     const Surface_quotient quotient =
@@ -268,7 +268,7 @@ private:
   std::vector<std::size_t> patch_of_component_;  ///< `none` for outliers.
   std::vector<std::size_t> vertex_of_component_; ///< `none` for outliers.
   double noise_ = 0;                             ///< In [0, 1].
-  std::unique_ptr<Oriented_surface<ConcurrencyTag>> surface_;
+  std::unique_ptr<Surface<ConcurrencyTag>> surface_;
 };
 
 } // namespace internal

@@ -49,15 +49,15 @@ public:
   std::vector<double> radii() const
   {
     std::vector<double> result(order_.size(), 0);
-    constexpr std::size_t task_size = 16 * row_size; // of patches next to each other
+    constexpr std::size_t task_size = 16 * packet_size; // of patches next to each other
     const std::size_t tasks = (order_.size() + task_size - 1) / task_size;
     parallel_for<ConcurrencyTag>(tasks, [&](std::size_t task) {
       Leaves touched;
       const std::size_t end = std::min(order_.size(), (task + 1) * task_size);
-      for(std::size_t first = task * task_size; first < end; first += row_size) {
+      for(std::size_t first = task * task_size; first < end; first += packet_size) {
         Row balls(*this, first);
         find_smallest(balls, touched);
-        for(std::size_t k = 0; k < row_size && first + k < end; ++k)
+        for(std::size_t k = 0; k < packet_size && first + k < end; ++k)
           result[order_[first + k]] = balls.radius(k);
       }
     });
@@ -74,8 +74,8 @@ private:
   public:
     Row(const Facing_balls& all, std::size_t first)
       : all_(all),
-        mean_(row_of([&](std::size_t k) { return all.tree_.positions()[all.bounded(first + k)]; })),
-        normal_(row_of([&](std::size_t k) { return all.normals_[all.bounded(first + k)]; }))
+        mean_(packet_of([&](std::size_t k) { return all.tree_.positions()[all.bounded(first + k)]; })),
+        normal_(packet_of([&](std::size_t k) { return all.normals_[all.bounded(first + k)]; }))
     {}
 
     /// That of the third smallest.
@@ -88,7 +88,7 @@ private:
     /// Whether one of the patches from `begin` to before `end` touches a ball that was larger.
     bool look_at(std::size_t begin, std::size_t end)
     {
-      const Row_values before = third_;
+      const Packet_values before = third_;
       for(std::size_t other = begin; other < end; ++other)
         look_at(other);
       return (third_ - before).maxCoeff() > 0;
@@ -97,10 +97,10 @@ private:
     void look_at(std::size_t other)
     {
       const Eigen::Vector3f& normal = all_.normals_[other];
-      const Row_vectors d = mean_.to(all_.tree_.positions()[other]);
-      const Row_values face = is_positive(facing - normal_.dot(normal));
-      const Row_values curvature = (-2 * face * d.dot(normal_) / d.squared_norm().max(least)).max(0);
-      const Row_values rest = curvature.min(first_), second_rest = rest.min(second_);
+      const Packet_vectors d = mean_.to(all_.tree_.positions()[other]);
+      const Packet_values face = is_positive(facing - normal_.dot(normal));
+      const Packet_values curvature = (-2 * face * d.dot(normal_) / d.squared_norm().max(least)).max(0);
+      const Packet_values rest = curvature.min(first_), second_rest = rest.min(second_);
       first_ = first_.max(curvature);
       second_ = second_.max(rest);
       third_ = third_.max(second_rest);
@@ -109,18 +109,18 @@ private:
     /// Whether one of the patches of a node may face one of the row and touch its balls.
     bool may_matter(std::size_t node) const
     {
-      const Row_box &box = all_.tree_.boxes()[node], &normals = all_.normal_boxes_[node];
-      const Row_values cosine =
+      const Packet_box &box = all_.tree_.boxes()[node], &normals = all_.normal_boxes_[node];
+      const Packet_values cosine =
         (normal_.x * normals.lower.x()).min(normal_.x * normals.upper.x()) +
         (normal_.y * normals.lower.y()).min(normal_.y * normals.upper.y()) +
         (normal_.z * normals.lower.z()).min(normal_.z * normals.upper.z());
       // Of the points of the box the one with the least power to the largest ball.
-      const Row_values radius = 1 / third_.max(least);
-      const Row_vectors lower = mean_.to(box.lower), upper = mean_.to(box.upper);
-      const Row_vectors d{(-radius * normal_.x).max(lower.x).min(upper.x),
+      const Packet_values radius = 1 / third_.max(least);
+      const Packet_vectors lower = mean_.to(box.lower), upper = mean_.to(box.upper);
+      const Packet_vectors d{(-radius * normal_.x).max(lower.x).min(upper.x),
                           (-radius * normal_.y).max(lower.y).min(upper.y),
                           (-radius * normal_.z).max(lower.z).min(upper.z)};
-      const Row_values power = third_ * d.squared_norm() + 2 * d.dot(normal_);
+      const Packet_values power = third_ * d.squared_norm() + 2 * d.dot(normal_);
       return (cosine - facing).max(power).minCoeff() < 0;
     }
 
@@ -129,9 +129,9 @@ private:
     static constexpr float least = 1e-20f; // instead of 0
 
     const Facing_balls& all_;
-    Row_vectors mean_, normal_;
+    Packet_vectors mean_, normal_;
     // The curvatures of the three smallest, the smallest ball first; 0: there is none.
-    Row_values first_ = Row_values::Zero(), second_ = Row_values::Zero(), third_ = Row_values::Zero();
+    Packet_values first_ = Packet_values::Zero(), second_ = Packet_values::Zero(), third_ = Packet_values::Zero();
   };
 
   /// Finds the smallest balls of a row. Begins with the leaves that those of the row before touch, and
@@ -157,8 +157,8 @@ private:
   std::size_t bounded(std::size_t place) const { return std::min(place, order_.size() - 1); }
 
   const std::vector<std::size_t>& order_;
-  Row_tree tree_;
-  std::vector<Row_box> normal_boxes_; ///< Of every node of the tree.
+  Packet_tree tree_;
+  std::vector<Packet_box> normal_boxes_; ///< Of every node of the tree.
   std::vector<Eigen::Vector3f> normals_; ///< In the order of the tree; 0 if not to be trusted.
 };
 

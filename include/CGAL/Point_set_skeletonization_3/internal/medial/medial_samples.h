@@ -167,7 +167,7 @@ void bring_back_lost_samples(std::vector<Sample>& samples, const std::vector<Pat
 /// The components of the mixture whose patches a surface has, with their normals.
 template <typename ConcurrencyTag>
 std::vector<Oriented_gaussian> oriented_gaussians(const Gaussians& components,
-                                                  const Oriented_surface<ConcurrencyTag>& surface)
+                                                  const Surface<ConcurrencyTag>& surface)
 {
   // A patch of a few points is thinner than the surface is known; a tenth of the spacing is not.
   const Matrix3 blur = 0.01 * surface.spacing * surface.spacing * Matrix3::Identity();
@@ -186,7 +186,7 @@ std::vector<Oriented_gaussian> oriented_gaussians(const Gaussians& components,
 /// of threads.
 template <typename ConcurrencyTag>
 Projection_outcome project_samples(std::vector<Sample>& samples, const Gaussians& components,
-                                   const Oriented_surface<ConcurrencyTag>& surface,
+                                   const Surface<ConcurrencyTag>& surface,
                                    const Projection_options& options, const Progress& progress)
 {
   options.check();

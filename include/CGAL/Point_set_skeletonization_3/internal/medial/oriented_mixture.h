@@ -100,7 +100,7 @@ public:
 
     std::vector<Oriented_attractor> attractors;
     double cell_size;
-    Neighbor_search search;
+    Point_search search;
   };
 
   /// `finest` with components `spacing` apart. Every level is twice as coarse as the one before,

@@ -31,7 +31,7 @@ namespace internal {
 /// CGAL's kd-tree over indices of points.
 /// Queries are `const` and may run concurrently. Results are ordered by index or by distance and
 /// index, never by the layout of the tree.
-class Neighbor_search
+class Point_search
 {
   using Kernel = Simple_cartesian<double>;
   using Point = Kernel::Point_3;
@@ -73,7 +73,7 @@ public:
   /// Indexes `size` points, concurrently under `Parallel_tag`; `position(i)` gives the `i`-th as a
   /// `Vector3`.
   template <typename Position, typename ConcurrencyTag = Sequential_tag>
-  Neighbor_search(std::size_t size, const Position& position, ConcurrencyTag = ConcurrencyTag())
+  Point_search(std::size_t size, const Position& position, ConcurrencyTag = ConcurrencyTag())
     : tree_(boost::counting_iterator<std::size_t>(0), boost::counting_iterator<std::size_t>(0),
             Splitter(), Traits(Index_point_map{&points_}))
   {
@@ -86,8 +86,8 @@ public:
       tree_.template build<ConcurrencyTag>();
   }
 
-  Neighbor_search(const Neighbor_search&) = delete;
-  Neighbor_search& operator=(const Neighbor_search&) = delete;
+  Point_search(const Point_search&) = delete;
+  Point_search& operator=(const Point_search&) = delete;
 
   /// Writes the indices of all points closer than `radius` to `center` to `result`, ascending; those
   /// at that very distance may be among them or not.

@@ -77,7 +77,7 @@ public:
     if(outcome.reason == Projection_stop_reason::cancelled)
       return false;
     if(!mixture.empty()) {
-      const Neighbor_search surface(mixture.back().size(),
+      const Point_search surface(mixture.back().size(),
                                     [&](std::size_t i) { return mixture.back()[i].mean; });
       for(Sample& s : samples)
         s.radius = std::sqrt(surface.nearest(s.position).squared_distance);
@@ -132,7 +132,7 @@ private:
   /// A point belongs to the sample that started nearest to it, a sample to the nearest vertex.
   void assign_points(const std::vector<Vector3>& positions)
   {
-    const Neighbor_search vertices(graph.vertices.size(),
+    const Point_search vertices(graph.vertices.size(),
                                    [&](std::size_t v) { return graph.vertices[v].position; });
     std::vector<std::size_t> vertex_of_sample(samples.size());
     std::vector<double> count(graph.vertices.size(), 0);
@@ -140,7 +140,7 @@ private:
       const std::size_t v = vertex_of_sample[i] = vertices.nearest(positions[i]).index;
       graph.vertices[v].radius += (samples[i].radius - graph.vertices[v].radius) / ++count[v];
     }
-    const Neighbor_search origins(samples.size(), [&](std::size_t i) { return samples[i].origin; });
+    const Point_search origins(samples.size(), [&](std::size_t i) { return samples[i].origin; });
     vertex_of_point_.resize(points_.size());
     parallel_for<ConcurrencyTag>(points_.size(), [&](std::size_t p) {
       vertex_of_point_[p] = vertex_of_sample[origins.nearest(points_[p]).index];

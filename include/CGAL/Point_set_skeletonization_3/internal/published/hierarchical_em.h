@@ -141,7 +141,7 @@ private:
   template <typename ConcurrencyTag>
   void claim_children()
   {
-    const Neighbor_search search(
+    const Point_search search(
       children_.size(), [&](std::size_t c) -> const Vector3& { return children_[c].mean; });
     log_determinants_.resize(children_.size());
     parallel_for<ConcurrencyTag>(children_.size(), [&](std::size_t c) {

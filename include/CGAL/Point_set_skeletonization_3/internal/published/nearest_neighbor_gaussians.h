@@ -49,10 +49,10 @@ struct Nearest_neighbor_options
 /// Covariance about `center` of the neighbours found around it. They include `center` itself, which
 /// adds nothing and does not count.
 inline Matrix3 neighbor_covariance(const Vector3& center, const std::vector<Vector3>& points,
-                                   const std::vector<Neighbor_search::Neighbor>& found)
+                                   const std::vector<Point_search::Neighbor>& found)
 {
   Matrix3 sum = Matrix3::Zero();
-  for(const Neighbor_search::Neighbor& neighbor : found) {
+  for(const Point_search::Neighbor& neighbor : found) {
     const Vector3 d = points[neighbor.index] - center;
     sum += d * d.transpose();
   }
@@ -98,12 +98,12 @@ Gaussians nearest_neighbor_gaussians(const std::vector<Vector3>& points,
   options.check();
   const Distinct_positions distinct(points);
   const std::vector<Vector3>& positions = distinct.positions;
-  const Neighbor_search search(positions.size(),
+  const Point_search search(positions.size(),
                                [&](std::size_t i) -> const Vector3& { return positions[i]; });
 
   std::vector<Matrix3> covariances(positions.size());
   parallel_for<ConcurrencyTag>(positions.size(), [&](std::size_t i) {
-    std::vector<Neighbor_search::Neighbor> found;
+    std::vector<Point_search::Neighbor> found;
     search.nearest(positions[i], options.neighbors + 1, found);
     covariances[i] =
       regularized(neighbor_covariance(positions[i], positions, found), options.flatness);

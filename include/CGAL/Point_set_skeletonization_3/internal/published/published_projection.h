@@ -47,7 +47,7 @@ constexpr double published_reach = 0.6;
 template <typename ConcurrencyTag, typename Radius>
 std::vector<double> densities(const std::vector<Vector3>& points, const Radius& kernel_radius)
 {
-  const Neighbor_search search(points.size(), [&](std::size_t i) { return points[i]; });
+  const Point_search search(points.size(), [&](std::size_t i) { return points[i]; });
   std::vector<double> result(points.size(), 1);
   parallel_for<ConcurrencyTag>(points.size(), [&](std::size_t i) {
     const double h = kernel_radius(i);
@@ -72,7 +72,7 @@ struct Attractors
   }
 
   std::vector<Attractor> components;
-  Neighbor_search search;
+  Point_search search;
   double extent = 0; ///< Two standard deviations of the largest component.
 };
 
@@ -130,7 +130,7 @@ Projection_outcome project_as_published(std::vector<Sample>& samples, const Gaus
       positions.push_back(s.position);
     const std::vector<double> density = densities<ConcurrencyTag>(
       positions, [&](std::size_t i) { return samples[i].kernel_radius; });
-    const Neighbor_search search(positions.size(), [&](std::size_t i) { return positions[i]; });
+    const Point_search search(positions.size(), [&](std::size_t i) { return positions[i]; });
 
     std::vector<Sample> next = samples;
     parallel_for<ConcurrencyTag>(samples.size(), [&](std::size_t i) {

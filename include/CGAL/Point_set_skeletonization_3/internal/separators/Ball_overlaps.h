@@ -24,7 +24,7 @@ namespace Point_set_skeletonization_3 {
 namespace internal {
 
 /// The ball inside the limb that a patch belongs to.
-struct Limb_ball
+struct Medial_ball
 {
   Vector3 center = Vector3::Zero();
   double radius = 0; ///< 0: not known.
@@ -33,14 +33,14 @@ struct Limb_ball
 /// The ball of every patch: around its sample, if that is off the surface. Patches without one take
 /// that of the nearest patch along the surface, but not across a crease and not from far away: where
 /// two limbs touch no normal can be trusted, and every patch is beside the limb it belongs to.
-inline std::vector<Limb_ball> limb_balls(const std::vector<Patch>& patches,
+inline std::vector<Medial_ball> known_balls(const std::vector<Patch>& patches,
                                          const std::vector<Sample>& samples)
 {
   constexpr double reach = 3;       // spacings: half of what a normal is estimated from, and a bit
   constexpr double ball_share = 0.5; // radii: a thick limb touches another with more patches
   constexpr double crease = 0.3;    // cosine of 70 degrees between normals
 
-  std::vector<Limb_ball> balls(patches.size());
+  std::vector<Medial_ball> balls(patches.size());
   using Step = std::tuple<double, std::size_t, std::size_t>; // way, patch, the one it comes from
   std::priority_queue<Step, std::vector<Step>, std::greater<Step>> queue;
   for(std::size_t i = 0; i < patches.size(); ++i) {
@@ -77,7 +77,7 @@ inline std::vector<Limb_ball> limb_balls(const std::vector<Patch>& patches,
 /// the smaller ball, 1 if the centre of that is beyond. Neighbours in one limb have nearly the same
 /// ball, and where a limb leaves another both balls hold the joint; the balls of two limbs that only
 /// touch do not meet. \pre both are known
-inline double joint_width(const Limb_ball& a, const Limb_ball& b)
+inline double relative_overlap(const Medial_ball& a, const Medial_ball& b)
 {
   const double smaller = std::min(a.radius, b.radius), larger = std::max(a.radius, b.radius);
   const double distance = (a.center - b.center).norm();
@@ -93,19 +93,19 @@ inline double joint_width(const Limb_ball& a, const Limb_ball& b)
 
 /// How wide neighbouring patches are joined inside the shape, in [0, 1]: 1 in a limb, towards 0 from
 /// one limb to another that it touches.
-class Limb_joints
+class Ball_overlaps
 {
 public:
   /// `unknown` is the width where a patch has no ball.
   template <typename ConcurrencyTag = Sequential_tag>
-  Limb_joints(const std::vector<Patch>& patches, const std::vector<Sample>& samples, double unknown,
+  Ball_overlaps(const std::vector<Patch>& patches, const std::vector<Sample>& samples, double unknown,
               ConcurrencyTag = ConcurrencyTag())
-    : pairs_(neighboring_pairs(patches)), widths_(pairs_.size())
+    : pairs_(adjacent_pairs(patches)), widths_(pairs_.size())
   {
-    const std::vector<Limb_ball> balls = limb_balls(patches, samples);
+    const std::vector<Medial_ball> balls = known_balls(patches, samples);
     parallel_for<ConcurrencyTag>(pairs_.size(), [&](std::size_t k) {
-      const Limb_ball &a = balls[pairs_[k].a], &b = balls[pairs_[k].b];
-      widths_[k] = a.radius > 0 && b.radius > 0 ? joint_width(a, b) : unknown;
+      const Medial_ball &a = balls[pairs_[k].a], &b = balls[pairs_[k].b];
+      widths_[k] = a.radius > 0 && b.radius > 0 ? relative_overlap(a, b) : unknown;
     });
   }
 
@@ -117,10 +117,10 @@ public:
 
   /// Whether a limb goes on from one to the other. The radius of the joint is half of that of the
   /// limb where two round limbs of the same size cross each other with an eighth of their width.
-  bool are_joined(std::size_t k) const { return width(k) >= least_joint; }
+  bool overlap(std::size_t k) const { return width(k) >= least_overlap; }
 
 private:
-  static constexpr double least_joint = 0.5;
+  static constexpr double least_overlap = 0.5;
 
   std::vector<Patch_pair> pairs_;
   std::vector<double> widths_;

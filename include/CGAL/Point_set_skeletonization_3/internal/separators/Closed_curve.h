@@ -23,11 +23,11 @@ namespace internal {
 /// A rubber band in the solid: a closed curve that becomes shorter as far as it can without leaving
 /// the solid. Around a hole of the shape it stays; elsewhere it shrinks to a point, however it is
 /// bent. A hole of the data does not hold it: the winding number closes that.
-class Rubber_band
+class Closed_curve
 {
 public:
   /// `curve` has its points in order. \pre it is not empty; `resolution` is positive
-  Rubber_band(const std::vector<Vector3>& curve, double resolution,
+  Closed_curve(const std::vector<Vector3>& curve, double resolution,
               const Winding_number& winding_number)
       : resolution_(resolution)
       , winding_number_(winding_number)
@@ -59,7 +59,7 @@ public:
 
   /// Whether the solid lets the curve be moved onto another one point by point, in the straight way
   /// from each to the nearest: then both shrink, or neither. \pre the other one is solid
-  bool can_become(const Rubber_band& other) const
+  bool can_become(const Closed_curve& other) const
   {
     const std::array<Vector3, size> target = other.points_beside(*this);
     for(std::size_t k = 0; k < size; ++k)
@@ -100,7 +100,7 @@ private:
   }
 
   /// Its points from where and in the direction in which they are closest to those of another one.
-  std::array<Vector3, size> points_beside(const Rubber_band& other) const
+  std::array<Vector3, size> points_beside(const Closed_curve& other) const
   {
     double least = std::numeric_limits<double>::infinity();
     std::array<Vector3, size> result;

@@ -65,7 +65,7 @@ private:
 class Growing_region
 {
 public:
-  Growing_region(const std::vector<Patch>& patches, const Patch_edges& edges,
+  Growing_region(const std::vector<Patch>& patches, const Patch_graph& edges,
                  const std::vector<Sample>& samples)
       : patches_(patches)
       , edges_(edges)
@@ -282,7 +282,7 @@ private:
       result.patches.push_back(i);
     };
     // Of the first half what touches the second; of the second what touches the first part.
-    const auto in_second_half = [&](const Patch_edges::Edge& edge) {
+    const auto in_second_half = [&](const Patch_graph::Edge& edge) {
       return half(edge.patch) == 2;
     };
     visit_all([&](std::size_t i) {
@@ -344,7 +344,7 @@ private:
   }
 
   const std::vector<Patch>& patches_;
-  const Patch_edges& edges_;
+  const Patch_graph& edges_;
   const std::vector<Sample>& samples_;
   Vector3 center_ = Vector3::Zero();
   Patch_list region_; ///< The seed first.

@@ -29,13 +29,13 @@ namespace internal {
 
 /// Looks for ways on the surface from one side of a separator to the other. One object visits one
 /// separator after the other.
-class Way_search
+class Path_search
 {
 public:
   /// Neighbouring patches; as a loop, the last next to the first.
   using Way = std::vector<std::size_t>;
 
-  Way_search(const std::vector<Patch>& patches, const Patch_edges& edges)
+  Path_search(const std::vector<Patch>& patches, const Patch_graph& edges)
       : patches_(patches)
       , edges_(edges)
       , place_(patches.size(), elsewhere)
@@ -53,10 +53,10 @@ public:
 
   /// How often a loop crosses the separator from the first side to the second, less how often it
   /// comes back; 0 if that is not known.
-  int crossings(const Way& loop, const Local_separator& separator)
+  int algebraic_intersection_number(const Way& loop, const Local_separator& separator)
   {
     mark(separator);
-    const int result = crossings(loop);
+    const int result = algebraic_intersection_number(loop);
     unmark(separator);
     return result;
   }
@@ -101,7 +101,7 @@ private:
       place_[i] = where;
   }
 
-  int crossings(const Way& loop) const
+  int algebraic_intersection_number(const Way& loop) const
   {
     const auto last = std::find_if(loop.rbegin(), loop.rend(),
                                    [&](std::size_t i) { return place_[i] != on_separator; });
@@ -183,7 +183,7 @@ private:
   }
 
   const std::vector<Patch>& patches_;
-  const Patch_edges& edges_;
+  const Patch_graph& edges_;
 
   // Of every patch; as at the beginning between calls.
   std::vector<Place> place_;
@@ -194,23 +194,23 @@ private:
 /// there is no way on the surface, or only one around a hole of the shape. An arc that ends in holes
 /// of the data, or a ring around a dent, has a way around through the solid.
 template <typename ConcurrencyTag = Sequential_tag>
-class Way_around
+class Separator_test
 {
 public:
-  Way_around(const std::vector<Patch>& patches, const std::vector<Sample>& samples,
-             const Limb_joints& joints, const Winding_number& winding_number)
+  Separator_test(const std::vector<Patch>& patches, const std::vector<Sample>& samples,
+             const Ball_overlaps& joints, const Winding_number& winding_number)
       : patches_(patches)
       , samples_(samples)
       , winding_number_(winding_number)
-      , edges_(patches, joints.pairs(), [&](std::size_t k) { return joints.are_joined(k); })
-      , search_([&] { return Way_search(patches_, edges_); })
+      , edges_(patches, joints.pairs(), [&](std::size_t k) { return joints.overlap(k); })
+      , search_([&] { return Path_search(patches_, edges_); })
   {}
 
   /// What is to be known of a separator.
   struct Evidence
   {
-    Way_search::Way way;                     ///< From one side to the other.
-    std::size_t band = Way_around::unknown; ///< Like that way, if it is long.
+    Path_search::Way way;                     ///< From one side to the other.
+    std::size_t band = Separator_test::unknown; ///< Like that way, if it is long.
   };
 
   /// Of many separators at once, on all threads.
@@ -223,11 +223,11 @@ public:
     const std::size_t known = bands_.size();
     for(std::size_t k = 0; k < result.size(); ++k)
       if(result[k].way.size() > around_an_end)
-        result[k].band = band_like(Rubber_band(positions(result[k].way), resolution(*separators[k]),
+        result[k].band = band_like(Closed_curve(positions(result[k].way), resolution(*separators[k]),
                                                winding_number_));
     parallel_for<ConcurrencyTag>(bands_.size() - known, [&](std::size_t k) {
       Band& band = bands_[known + k];
-      band.shrinks = Rubber_band(band.start).shrinks();
+      band.shrinks = Closed_curve(band.start).shrinks();
     });
     return result;
   }
@@ -236,8 +236,8 @@ public:
   bool cuts(const Local_separator& separator, const Evidence& evidence)
   {
     // A loop that shrinks to a point inside the shape crosses no cross-section once.
-    if(std::any_of(shrinking_.begin(), shrinking_.end(), [&](const Way_search::Way& loop) {
-         return search_.local().crossings(loop, separator) != 0;
+    if(std::any_of(shrinking_.begin(), shrinking_.end(), [&](const Path_search::Way& loop) {
+         return search_.local().algebraic_intersection_number(loop, separator) != 0;
        }))
       return false;
     if(evidence.band == unknown)
@@ -256,13 +256,13 @@ private:
   /// A closed way that is in the solid.
   struct Band
   {
-    Rubber_band start;
+    Closed_curve start;
     bool is_solid; ///< Else another one cannot become this one.
     bool shrinks;  ///< To a point.
   };
 
   /// The index of a band that shrinks if this one does: a known one, or a new one.
-  std::size_t band_like(const Rubber_band& start)
+  std::size_t band_like(const Closed_curve& start)
   {
     const auto found = std::find_if(bands_.begin(), bands_.end(), [&](const Band& band) {
       return band.is_solid && start.can_become(band.start);
@@ -290,12 +290,12 @@ private:
   const std::vector<Patch>& patches_;
   const std::vector<Sample>& samples_;
   const Winding_number& winding_number_;
-  const Patch_edges edges_; ///< Along limbs.
-  Per_thread<ConcurrencyTag, Way_search> search_;
+  const Patch_graph edges_; ///< Along limbs.
+  Per_thread<ConcurrencyTag, Path_search> search_;
 
   // Found so far.
   std::vector<Band> bands_;
-  std::vector<Way_search::Way> shrinking_; ///< Closed.
+  std::vector<Path_search::Way> shrinking_; ///< Closed.
 };
 
 } // namespace internal

@@ -52,7 +52,7 @@ std::vector<std::size_t> separator_seeds(const std::vector<Sample>& samples)
 template <typename ConcurrencyTag>
 std::vector<Local_separator> grown_separators(const std::vector<Patch>& patches,
                                               const std::vector<Sample>& samples,
-                                              const Patch_edges& edges,
+                                              const Patch_graph& edges,
                                               const std::vector<std::size_t>& seeds)
 {
   constexpr int enough = 2;
@@ -88,7 +88,7 @@ template <typename ConcurrencyTag>
 class Separator_choice
 {
 public:
-  Separator_choice(std::vector<Local_separator> separators, Way_around<ConcurrencyTag>& way_around,
+  Separator_choice(std::vector<Local_separator> separators, Separator_test<ConcurrencyTag>& way_around,
                    std::size_t number_of_patches)
       : separators_(std::move(separators))
       , way_around_(way_around)
@@ -150,8 +150,8 @@ private:
   }
 
   std::vector<Local_separator> separators_;
-  Way_around<ConcurrencyTag>& way_around_;
-  std::vector<typename Way_around<ConcurrencyTag>::Evidence> evidence_; ///< Of every separator.
+  Separator_test<ConcurrencyTag>& way_around_;
+  std::vector<typename Separator_test<ConcurrencyTag>::Evidence> evidence_; ///< Of every separator.
   std::vector<bool> has_evidence_;
   std::vector<bool> taken_; ///< Of every patch.
 };
@@ -162,11 +162,11 @@ template <typename ConcurrencyTag = Sequential_tag>
 std::vector<Local_separator> disjoint_separators(const std::vector<Patch>& patches,
                                                  const std::vector<Sample>& samples,
                                                  const std::vector<std::size_t>& seeds,
-                                                 const Limb_joints& joints,
+                                                 const Ball_overlaps& joints,
                                                  const Winding_number& winding_number)
 {
-  std::optional<Patch_edges> edges;
-  std::optional<Way_around<ConcurrencyTag>> way_around;
+  std::optional<Patch_graph> edges;
+  std::optional<Separator_test<ConcurrencyTag>> way_around;
   parallel_invoke<ConcurrencyTag>(
     [&] { edges.emplace(patches, joints.pairs()); },
     [&] { way_around.emplace(patches, samples, joints, winding_number); });

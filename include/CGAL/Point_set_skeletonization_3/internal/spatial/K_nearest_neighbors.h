@@ -22,15 +22,15 @@ namespace Point_set_skeletonization_3 {
 namespace internal {
 
 /// A neighbour and its squared distance.
-using Neighbor = Neighbor_search::Neighbor;
+using Neighbor = Point_search::Neighbor;
 
 /// The nearest neighbours of every point of a set, as many of each, nearest first: itself, if no other
 /// is there too.
-class Neighborhoods
+class K_nearest_neighbors
 {
 public:
   /// Not known yet.
-  Neighborhoods(std::size_t points, std::size_t k) : k_(k), neighbors_(points * k) {}
+  K_nearest_neighbors(std::size_t points, std::size_t k) : k_(k), neighbors_(points * k) {}
 
   /// How many every point has.
   std::size_t k() const { return k_; }
@@ -51,28 +51,28 @@ private:
 };
 
 /// The neighbours of points of a tree that are next to each other.
-class Neighborhood_row
+class K_nearest_packet
 {
 public:
-  Neighborhood_row(const Box_tree& tree, const Row_tree& row_tree, std::size_t k)
-    : tree_(tree), row_tree_(row_tree), smallest_(k)
+  K_nearest_packet(const Box_tree& tree, const Packet_tree& packet_tree, std::size_t k)
+    : tree_(tree), packet_tree_(packet_tree), smallest_(k)
   {}
 
-  /// Looks for the neighbours of the points `place(k)`, k < row_size, in the order of the tree.
+  /// Looks for the neighbours of the points `place(k)`, k < packet_size, in the order of the tree.
   template <typename Place>
   void look_around(const Place& place)
   {
-    points_ = row_of([&](std::size_t k) { return row_tree_.positions()[place(k)]; });
+    points_ = packet_of([&](std::size_t k) { return packet_tree_.positions()[place(k)]; });
     std::fill(smallest_.begin(), smallest_.end(),
-              Row_values::Constant(std::numeric_limits<float>::max()));
+              Packet_values::Constant(std::numeric_limits<float>::max()));
     seen_.clear();
     distances_.clear();
     // Those beside the first bound what may be nearer.
-    const std::size_t wide = row_size + smallest_.size();
+    const std::size_t wide = packet_size + smallest_.size();
     const std::size_t first = place(0) - std::min(place(0), wide);
-    const std::size_t end = std::min(place(0) + wide, row_tree_.positions().size());
+    const std::size_t end = std::min(place(0) + wide, packet_tree_.positions().size());
     look_at(first, end);
-    row_tree_.visit_leaves(*this, [&](std::size_t b, std::size_t e) {
+    packet_tree_.visit_leaves(*this, [&](std::size_t b, std::size_t e) {
       look_at(b, std::min(e, first));
       look_at(std::max(b, end), e);
     });
@@ -81,7 +81,7 @@ public:
   /// Whether a point of a node may be among the nearest.
   bool may_matter(std::size_t node) const
   {
-    return points_.is_any_closer(row_tree_.boxes()[node], smallest_.back());
+    return points_.is_any_closer(packet_tree_.boxes()[node], smallest_.back());
   }
 
   /// Writes the neighbours of the `k`-th point, which is at `position`, to `result`.
@@ -106,12 +106,12 @@ private:
   void look_at(std::size_t begin, std::size_t end)
   {
     for(std::size_t other = begin; other < end; ++other) {
-      const Row_vectors d = points_.to(row_tree_.positions()[other]);
-      Row_values squared = d.squared_norm();
+      const Packet_vectors d = points_.to(packet_tree_.positions()[other]);
+      Packet_values squared = d.squared_norm();
       seen_.push_back(other);
       distances_.push_back(squared);
-      for(Row_values& smaller : smallest_) { // puts it in its place
-        const Row_values greater = smaller.max(squared);
+      for(Packet_values& smaller : smallest_) { // puts it in its place
+        const Packet_values greater = smaller.max(squared);
         smaller = smaller.min(squared);
         squared = greater;
       }
@@ -119,11 +119,11 @@ private:
   }
 
   const Box_tree& tree_;
-  const Row_tree& row_tree_;
-  Row_vectors points_;
-  std::vector<Row_values> smallest_; ///< Squared distances, the smallest first.
+  const Packet_tree& packet_tree_;
+  Packet_vectors points_;
+  std::vector<Packet_values> smallest_; ///< Squared distances, the smallest first.
   std::vector<std::size_t> seen_, near_;
-  std::vector<Row_values> distances_; ///< To what was seen.
+  std::vector<Packet_values> distances_; ///< To what was seen.
   std::vector<Neighbor> nearest_;     ///< Of one of them, and some more.
 };
 
@@ -131,13 +131,13 @@ private:
 /// to each other in `places` are close.
 template <typename ConcurrencyTag>
 void find_neighbors(const Box_tree& tree, const std::vector<std::size_t>& places,
-                    Neighborhoods& result)
+                    K_nearest_neighbors& result)
 {
-  const Row_tree row_tree(tree);
-  Per_thread<ConcurrencyTag, Neighborhood_row> rows(
-    [&] { return Neighborhood_row(tree, row_tree, result.k()); });
-  for_each_row<ConcurrencyTag>(places.size(), [&](std::size_t first, std::size_t end) {
-    Neighborhood_row& row = rows.local();
+  const Packet_tree packet_tree(tree);
+  Per_thread<ConcurrencyTag, K_nearest_packet> rows(
+    [&] { return K_nearest_packet(tree, packet_tree, result.k()); });
+  for_each_packet<ConcurrencyTag>(places.size(), [&](std::size_t first, std::size_t end) {
+    K_nearest_packet& row = rows.local();
     row.look_around([&](std::size_t i) { return places[std::min(first + i, end - 1)]; });
     for(std::size_t i = first; i < end; ++i)
       row.neighbors(i - first, tree.positions()[places[i]],
@@ -147,10 +147,10 @@ void find_neighbors(const Box_tree& tree, const std::vector<std::size_t>& places
 
 /// The `k` nearest of every point of a tree, or all if there are fewer, told apart in single precision.
 template <typename ConcurrencyTag>
-Neighborhoods neighborhoods(const Box_tree& tree, std::size_t k)
+K_nearest_neighbors neighborhoods(const Box_tree& tree, std::size_t k)
 {
   const std::size_t size = tree.order().size();
-  Neighborhoods result(size, std::min(k, size));
+  K_nearest_neighbors result(size, std::min(k, size));
   std::vector<std::size_t> places(size);
   std::iota(places.begin(), places.end(), std::size_t(0));
   find_neighbors<ConcurrencyTag>(tree, places, result);
@@ -160,11 +160,11 @@ Neighborhoods neighborhoods(const Box_tree& tree, std::size_t k)
 /// The same from those of more points: `index_of[i]` is the new index of the `i`-th of them, no less
 /// than the size of the tree if it was dropped. Asks again where a neighbour was.
 template <typename ConcurrencyTag>
-Neighborhoods renumbered(const Neighborhoods& before, const std::vector<std::size_t>& index_of,
+K_nearest_neighbors renumbered(const K_nearest_neighbors& before, const std::vector<std::size_t>& index_of,
                          const Box_tree& tree)
 {
   const std::size_t size = tree.order().size();
-  Neighborhoods result(size, std::min(before.k(), size));
+  K_nearest_neighbors result(size, std::min(before.k(), size));
   std::vector<bool> known(size, false);
   for(std::size_t i = 0; i < index_of.size(); ++i) {
     const auto dropped = [&](const Neighbor& neighbor) { return index_of[neighbor.index] >= size; };

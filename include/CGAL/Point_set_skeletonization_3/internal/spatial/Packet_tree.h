@@ -24,33 +24,33 @@ namespace internal {
 // there is nothing that a processor could guess wrong, which is where most of the time of a search goes.
 
 /// Places of a row.
-constexpr std::size_t row_size = 8;
+constexpr std::size_t packet_size = 8;
 
 /// A value for every place of a row.
-using Row_values = Eigen::Array<float, row_size, 1>;
+using Packet_values = Eigen::Array<float, packet_size, 1>;
 
 /// An axis-parallel box.
-struct Row_box
+struct Packet_box
 {
   Eigen::Vector3f lower, upper;
 };
 
 /// A vector for every place of a row.
-struct Row_vectors
+struct Packet_vectors
 {
-  Row_values x, y, z;
+  Packet_values x, y, z;
 
   /// The way from every place to a point.
-  Row_vectors to(const Eigen::Vector3f& p) const { return {p.x() - x, p.y() - y, p.z() - z}; }
+  Packet_vectors to(const Eigen::Vector3f& p) const { return {p.x() - x, p.y() - y, p.z() - z}; }
 
   auto dot(const Eigen::Vector3f& v) const { return x * v.x() + y * v.y() + z * v.z(); }
-  auto dot(const Row_vectors& v) const { return x * v.x + y * v.y + z * v.z; }
+  auto dot(const Packet_vectors& v) const { return x * v.x + y * v.y + z * v.z; }
   auto squared_norm() const { return x * x + y * y + z * z; }
 
   /// Whether one of the places is closer to a box than its distance, which is given squared.
-  bool is_any_closer(const Row_box& box, const Row_values& squared_distance) const
+  bool is_any_closer(const Packet_box& box, const Packet_values& squared_distance) const
   {
-    const Row_vectors to_box{(box.lower.x() - x).max(x - box.upper.x()).max(0),
+    const Packet_vectors to_box{(box.lower.x() - x).max(x - box.upper.x()).max(0),
                              (box.lower.y() - y).max(y - box.upper.y()).max(0),
                              (box.lower.z() - z).max(z - box.upper.z()).max(0)};
     return (to_box.squared_norm() - squared_distance).minCoeff() < 0;
@@ -59,10 +59,10 @@ struct Row_vectors
 
 /// `vector(k)` at the `k`-th place of a row.
 template <typename Vector>
-Row_vectors row_of(const Vector& vector)
+Packet_vectors packet_of(const Vector& vector)
 {
-  Row_vectors result;
-  for(std::size_t k = 0; k < row_size; ++k) {
+  Packet_vectors result;
+  for(std::size_t k = 0; k < packet_size; ++k) {
     const Eigen::Vector3f v = vector(k);
     const auto row = static_cast<Eigen::Index>(k);
     result.x[row] = v.x();
@@ -80,21 +80,21 @@ auto is_positive(const Values& values)
 }
 
 /// Calls `body(first, end)` for the rows `first <= k < end` of `size` places, possibly concurrently
-/// under `Parallel_tag`; `end - first` is `row_size` but for the last.
+/// under `Parallel_tag`; `end - first` is `packet_size` but for the last.
 template <typename ConcurrencyTag, typename Body>
-void for_each_row(std::size_t size, const Body& body)
+void for_each_packet(std::size_t size, const Body& body)
 {
-  parallel_for<ConcurrencyTag>((size + row_size - 1) / row_size, [&](std::size_t row) {
-    body(row * row_size, std::min(size, (row + 1) * row_size));
+  parallel_for<ConcurrencyTag>((size + packet_size - 1) / packet_size, [&](std::size_t row) {
+    body(row * packet_size, std::min(size, (row + 1) * packet_size));
   });
 }
 
 /// A box tree in single precision, for the questions of rows.
-class Row_tree
+class Packet_tree
 {
 public:
   /// Over a tree; it has to stay.
-  explicit Row_tree(const Box_tree& tree) : tree_(tree)
+  explicit Packet_tree(const Box_tree& tree) : tree_(tree)
   {
     if(tree.nodes().empty())
       return;
@@ -113,7 +113,7 @@ public:
   /// The points, in the order of the leaves.
   const std::vector<Eigen::Vector3f>& positions() const { return positions_; }
   /// The bounding box of every node.
-  const std::vector<Row_box>& boxes() const { return boxes_; }
+  const std::vector<Packet_box>& boxes() const { return boxes_; }
 
   /// Calls `look_at(begin, end)` for the points of every leaf for which `row.may_matter(node)` is true
   /// for it and all nodes above.
@@ -127,7 +127,7 @@ private:
   const Box_tree& tree_;
   Vector3 origin_ = Vector3::Zero(); ///< The middle: single precision is about the points' extent.
   std::vector<Eigen::Vector3f> positions_;
-  std::vector<Row_box> boxes_;
+  std::vector<Packet_box> boxes_;
 };
 
 } // namespace internal

@@ -17,12 +17,12 @@ namespace Point_set_skeletonization_3 {
 namespace internal {
 
 /// The points of a tree that are nearest to the places of a row.
-class Nearest_points_row
+class Nearest_points_packet
 {
 public:
   template <typename Place>
-  Nearest_points_row(const Row_tree& tree, const Place& place)
-    : tree_(tree), places_(row_of([&](std::size_t k) { return tree.place(place(k)); }))
+  Nearest_points_packet(const Packet_tree& tree, const Place& place)
+    : tree_(tree), places_(packet_of([&](std::size_t k) { return tree.place(place(k)); }))
   {}
 
   /// The place in the order of the tree of the nearest point.
@@ -34,8 +34,8 @@ public:
   void look_at(std::size_t begin, std::size_t end)
   {
     for(std::size_t point = begin; point < end; ++point) {
-      const Row_vectors d = places_.to(tree_.positions()[point]);
-      const Row_values squared = d.squared_norm();
+      const Packet_vectors d = places_.to(tree_.positions()[point]);
+      const Packet_values squared = d.squared_norm();
       nearest_ += is_positive(squared_ - squared) * (static_cast<float>(point) - nearest_);
       squared_ = squared_.min(squared);
     }
@@ -48,10 +48,10 @@ public:
   }
 
 private:
-  const Row_tree& tree_;
-  Row_vectors places_;
-  Row_values squared_ = Row_values::Constant(std::numeric_limits<float>::max()); ///< Distances.
-  Row_values nearest_ = Row_values::Zero(); ///< Whole numbers.
+  const Packet_tree& tree_;
+  Packet_vectors places_;
+  Packet_values squared_ = Packet_values::Constant(std::numeric_limits<float>::max()); ///< Distances.
+  Packet_values nearest_ = Packet_values::Zero(); ///< Whole numbers.
 };
 
 /// The point of a tree that is nearest to `place(k)`, k < `size`, in single precision. Quick if places
@@ -59,12 +59,12 @@ private:
 template <typename ConcurrencyTag, typename Place>
 std::vector<std::size_t> nearest_points(const Box_tree& tree, std::size_t size, const Place& place)
 {
-  const Row_tree row_tree(tree);
+  const Packet_tree packet_tree(tree);
   std::vector<std::size_t> result(size);
-  for_each_row<ConcurrencyTag>(size, [&](std::size_t first, std::size_t end) {
-    Nearest_points_row row(row_tree,
+  for_each_packet<ConcurrencyTag>(size, [&](std::size_t first, std::size_t end) {
+    Nearest_points_packet row(packet_tree,
                            [&](std::size_t k) { return place(std::min(first + k, end - 1)); });
-    row_tree.visit_leaves(row, [&](std::size_t b, std::size_t e) { row.look_at(b, e); });
+    packet_tree.visit_leaves(row, [&](std::size_t b, std::size_t e) { row.look_at(b, e); });
     for(std::size_t k = first; k < end; ++k)
       result[k] = tree.order()[row.nearest(k - first)];
   });

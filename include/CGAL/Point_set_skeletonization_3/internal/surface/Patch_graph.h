@@ -28,7 +28,7 @@ struct Patch_pair
 };
 
 /// The pairs of neighbouring patches, each once, in lexicographic order.
-inline std::vector<Patch_pair> neighboring_pairs(const std::vector<Patch>& patches)
+inline std::vector<Patch_pair> adjacent_pairs(const std::vector<Patch>& patches)
 {
   CGAL_precondition(patches.size() <= std::numeric_limits<std::uint32_t>::max());
   std::size_t size = 0;
@@ -45,7 +45,7 @@ inline std::vector<Patch_pair> neighboring_pairs(const std::vector<Patch>& patch
 }
 
 /// Edges between neighbouring patches, those from one patch after the other in memory.
-class Patch_edges
+class Patch_graph
 {
 public:
   struct Edge // small: most of the time of a region goes into reading them
@@ -54,14 +54,14 @@ public:
     float length;
   };
 
-  /// Those of all `neighboring_pairs()`.
-  Patch_edges(const std::vector<Patch>& patches, const std::vector<Patch_pair>& pairs)
-    : Patch_edges(patches, pairs, [](std::size_t) { return true; })
+  /// Those of all `adjacent_pairs()`.
+  Patch_graph(const std::vector<Patch>& patches, const std::vector<Patch_pair>& pairs)
+    : Patch_graph(patches, pairs, [](std::size_t) { return true; })
   {}
 
   /// Those of the pairs with `has(k)` for the `k`-th.
   template <typename Predicate>
-  Patch_edges(const std::vector<Patch>& patches, const std::vector<Patch_pair>& pairs,
+  Patch_graph(const std::vector<Patch>& patches, const std::vector<Patch_pair>& pairs,
               const Predicate& has)
     : first_(patches.size() + 2, 0)
   {

@@ -22,16 +22,16 @@ namespace internal {
 
 /// The patches of a mixture level with all that the projection and the linking ask them.
 template <typename ConcurrencyTag>
-class Oriented_surface
+class Surface
 {
 public:
   /// With the tree over the means.
-  Oriented_surface(const Gaussians& gaussians, const Box_tree& over_means)
-    : Oriented_surface(gaussians, over_means, patch_neighborhoods<ConcurrencyTag>(over_means))
+  Surface(const Gaussians& gaussians, const Box_tree& over_means)
+    : Surface(gaussians, over_means, patch_neighborhoods<ConcurrencyTag>(over_means))
   {}
 
   /// Where the neighbourhoods are known, too.
-  Oriented_surface(const Gaussians& gaussians, Box_tree over_means, const Neighborhoods& nearest)
+  Surface(const Gaussians& gaussians, Box_tree over_means, const K_nearest_neighbors& nearest)
     : patches(surface_patches<ConcurrencyTag>(gaussians, nearest)), spacing(median_spacing(patches)),
       tree(std::move(over_means))
   {
@@ -39,19 +39,19 @@ public:
     winding_number = settle_orientation<ConcurrencyTag>(patches, tree);
     confidence = orientation_confidence<ConcurrencyTag>(patches);
     part_facing_patches<ConcurrencyTag>(patches, confidence);
-    visible = std::make_unique<Visible_patches>(patches, confidence, tree);
+    visible = std::make_unique<Visible_surface>(patches, confidence, tree);
   }
 
   // Its parts refer to each other.
-  Oriented_surface(const Oriented_surface&) = delete;
-  Oriented_surface& operator=(const Oriented_surface&) = delete;
+  Surface(const Surface&) = delete;
+  Surface& operator=(const Surface&) = delete;
 
   std::vector<Patch> patches;
   double spacing;
   Box_tree tree; ///< Over the patches.
   std::vector<double> confidence;
   std::unique_ptr<Winding_number> winding_number;
-  std::unique_ptr<Visible_patches> visible;
+  std::unique_ptr<Visible_surface> visible;
 };
 
 } // namespace internal

@@ -19,11 +19,11 @@ namespace Point_set_skeletonization_3 {
 namespace internal {
 
 /// How far the surface is that a place sees from inside.
-class Visible_patches
+class Visible_surface
 {
 public:
   /// `tree` is over the patches; it has to stay.
-  Visible_patches(const std::vector<Patch>& patches, const std::vector<double>& confidence,
+  Visible_surface(const std::vector<Patch>& patches, const std::vector<double>& confidence,
                   const Box_tree& tree)
     : box_tree_(tree), tree_(tree)
   {
@@ -60,9 +60,9 @@ private:
   {
   public:
     template <typename Place>
-    Row(const Visible_patches& patches, const Place& place)
+    Row(const Visible_surface& patches, const Place& place)
       : patches_(patches),
-        places_(row_of([&](std::size_t k) { return patches.tree_.place(place(k)); }))
+        places_(packet_of([&](std::size_t k) { return patches.tree_.place(place(k)); }))
     {}
 
     double distance(std::size_t k) const
@@ -79,9 +79,9 @@ private:
 
     void look_at(std::size_t patch)
     {
-      const Row_vectors d = places_.to(patches_.tree_.positions()[patch]);
-      const Row_values squared = d.squared_norm();
-      const Row_values hidden = is_positive(patches_.least_cosines_[patch] * squared.sqrt() -
+      const Packet_vectors d = places_.to(patches_.tree_.positions()[patch]);
+      const Packet_values squared = d.squared_norm();
+      const Packet_values hidden = is_positive(patches_.least_cosines_[patch] * squared.sqrt() -
                                             d.dot(patches_.normals_[patch]));
       squared_ = squared_.min(squared + far * hidden);
     }
@@ -95,9 +95,9 @@ private:
   private:
     static constexpr float far = 1e20f; // from everything
 
-    const Visible_patches& patches_;
-    Row_vectors places_;
-    Row_values squared_ = Row_values::Constant(far); ///< Distances.
+    const Visible_surface& patches_;
+    Packet_vectors places_;
+    Packet_values squared_ = Packet_values::Constant(far); ///< Distances.
   };
 
   /// `begin(row, first, end)` may let a row look at what it probably sees.
@@ -105,7 +105,7 @@ private:
   std::vector<double> distances_after(std::size_t size, const Place& place, const Begin& begin) const
   {
     std::vector<double> result(size);
-    for_each_row<ConcurrencyTag>(size, [&](std::size_t first, std::size_t end) {
+    for_each_packet<ConcurrencyTag>(size, [&](std::size_t first, std::size_t end) {
       Row row(*this, [&](std::size_t k) { return place(std::min(first + k, end - 1)); });
       begin(row, first, end);
       tree_.visit_leaves(row, [&](std::size_t b, std::size_t e) { row.look_at(b, e); });
@@ -116,7 +116,7 @@ private:
   }
 
   const Box_tree& box_tree_;
-  Row_tree tree_;
+  Packet_tree tree_;
   // Of the patches, in the order of the tree.
   std::vector<Eigen::Vector3f> normals_;
   std::vector<float> least_cosines_;

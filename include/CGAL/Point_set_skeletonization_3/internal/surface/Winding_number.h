@@ -86,11 +86,11 @@ public:
   std::vector<double> at_places(std::size_t size, const Place& place) const
   {
     std::vector<double> result(size);
-    for_each_row<ConcurrencyTag>(size, [&](std::size_t first, std::size_t end) {
-      std::array<Vector3, row_size> places;
-      for(std::size_t k = 0; k < row_size; ++k)
+    for_each_packet<ConcurrencyTag>(size, [&](std::size_t first, std::size_t end) {
+      std::array<Vector3, packet_size> places;
+      for(std::size_t k = 0; k < packet_size; ++k)
         places[k] = place(std::min(first + k, end - 1));
-      const std::array<double, row_size> values = (*this)(places);
+      const std::array<double, packet_size> values = (*this)(places);
       std::copy_n(values.begin(), end - first, result.data() + first);
     });
     return result;
@@ -275,12 +275,12 @@ std::vector<double> winding_numbers_on_surface(const Winding_number& winding_num
 {
   constexpr double well = 0.25;
   const std::vector<Vector3>& positions = tree.positions();
-  const std::size_t rows = (positions.size() + row_size - 1) / row_size;
+  const std::size_t rows = (positions.size() + packet_size - 1) / packet_size;
   const std::vector<double> of_rows = winding_number.at_places<ConcurrencyTag>(
-    rows, [&](std::size_t row) { return positions[row * row_size]; });
+    rows, [&](std::size_t row) { return positions[row * packet_size]; });
   std::vector<std::size_t> unsure; // places in the tree
   for(std::size_t place = 0; place < positions.size(); ++place)
-    if(of_rows[place / row_size] < well)
+    if(of_rows[place / packet_size] < well)
       unsure.push_back(place);
   const std::vector<double> of_unsure = winding_number.at_places<ConcurrencyTag>(
     unsure.size(), [&](std::size_t k) { return positions[unsure[k]]; });

@@ -60,7 +60,7 @@ struct Sign_link
 template <typename ConcurrencyTag>
 std::vector<Sign_link> sign_links(const std::vector<Patch>& patches)
 {
-  const std::vector<Patch_pair> pairs = neighboring_pairs(patches);
+  const std::vector<Patch_pair> pairs = adjacent_pairs(patches);
   std::vector<Sign_link> links(pairs.size());
   parallel_for<ConcurrencyTag>(pairs.size(), [&](std::size_t k) {
     const Patch &a = patches[pairs[k].a], &b = patches[pairs[k].b];
@@ -76,25 +76,25 @@ class Signed_pieces
 {
 public:
   /// Every patch is a piece.
-  explicit Signed_pieces(std::size_t size) : connectivity_(2 * size) {}
+  explicit Signed_pieces(std::size_t size) : sets_(2 * size) {}
 
   /// The first patch of the piece of a patch.
-  std::size_t piece(std::size_t i) { return connectivity_.root(node(i, false)) / 2; }
-  bool is_opposite(std::size_t i) { return connectivity_.root(node(i, false)) % 2 == 1; }
+  std::size_t piece(std::size_t i) { return sets_.root(node(i, false)) / 2; }
+  bool is_opposite(std::size_t i) { return sets_.root(node(i, false)) % 2 == 1; }
 
   void join(const Sign_link& link)
   {
     if(piece(link.pair.a) == piece(link.pair.b))
       return;
     for(bool sign : {false, true})
-      connectivity_.join(node(link.pair.a, sign), node(link.pair.b, sign != link.is_opposite));
+      sets_.join(node(link.pair.a, sign), node(link.pair.b, sign != link.is_opposite));
   }
 
 private:
   /// A patch with one of its signs, as if they were two.
   static std::size_t node(std::size_t i, bool sign) { return 2 * i + (sign ? 1 : 0); }
 
-  Connectivity connectivity_;
+  Union_find sets_;
 };
 
 /// The signs that the maximum spanning tree of the links hands on (Boruvka's algorithm).

@@ -105,7 +105,7 @@ Box_tree tree_of_means(const Gaussians& gaussians)
 /// The places around every component that a patch needs to know: itself and its neighbours. `tree` is
 /// over the means.
 template <typename ConcurrencyTag>
-Neighborhoods patch_neighborhoods(const Box_tree& tree)
+K_nearest_neighbors patch_neighborhoods(const Box_tree& tree)
 {
   return neighborhoods<ConcurrencyTag>(tree, patch_neighbors + 1);
 }
@@ -113,7 +113,7 @@ Neighborhoods patch_neighborhoods(const Box_tree& tree)
 /// Turns a mixture level into patches that know their neighbours on the surface, from its
 /// `patch_neighborhoods()`.
 template <typename ConcurrencyTag>
-std::vector<Patch> surface_patches(const Gaussians& gaussians, const Neighborhoods& nearest)
+std::vector<Patch> surface_patches(const Gaussians& gaussians, const K_nearest_neighbors& nearest)
 {
   std::vector<Patch> patches(gaussians.size());
   parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
