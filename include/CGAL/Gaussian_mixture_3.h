@@ -39,6 +39,10 @@ struct Gaussian_mixture_3
   using Level = std::vector<Component>;
 
   std::vector<Level> levels;
+
+  /// Edge length of the grid cells whose points are the components of the finest level, in the unit of
+  /// the input; 0 if they are not the points of cells.
+  typename GeomTraits::FT cell_size = 0;
 };
 
 } // namespace CGAL

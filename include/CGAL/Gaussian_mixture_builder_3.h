@@ -5,7 +5,9 @@
 #define CGAL_GAUSSIAN_MIXTURE_BUILDER_3_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Normalization.h>
+#include <CGAL/Point_set_skeletonization_3/internal/interface/public_data.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Grid_mixture.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Moment_grid.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Named_function_parameters.h>
@@ -69,7 +71,8 @@ public:
   /// \throws std::invalid_argument as above
   void insert(const Point_3& point)
   {
-    const Vector3 p = Normalization::vector(point);
+    const auto [x, y, z] = Point_set_skeletonization_3::internal::to_plain(point);
+    const Vector3 p(x, y, z);
     if(!p.allFinite())
       fail("has a coordinate that is not finite; remove or repair it");
     const bool inside = box_.xmin() <= p.x() && p.x() <= box_.xmax() && //

@@ -6,38 +6,35 @@
 
 #include <CGAL/Curve_skeleton_3.h>
 #include <CGAL/Gaussian_mixture_3.h>
-#include <CGAL/Gaussian_mixture_builder_3.h>
 #include <CGAL/Medial_sample_3.h>
-#include <CGAL/Point_set_skeletonization_3/internal/mixture/Point_source.h>
-#include <CGAL/Point_set_skeletonization_3/internal/published/Published_method.h>
-#include <CGAL/Point_set_skeletonization_3/internal/interface/Surface_quotient_stages.h>
+#include <CGAL/Point_set_skeletonization_3/internal/interface/Skeletonizer.h>
+#include <CGAL/Point_set_skeletonization_3/internal/interface/Steps.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/named_parameters.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/public_data.h>
 #include <CGAL/Point_set_skeletonization_3/parameters.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
-#include <memory>
+#include <functional>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 
+template <typename Traits>
+class Gaussian_mixture_builder_3;
+
 /// The curve skeleton of a point set, step by step.
 ///
-/// Reads the points once and for all when it is constructed, and keeps of each no more than its
-/// place in the mixture, two bytes; as published, a copy. Owns every intermediate result, so that
-/// each can be read. `run()` does all steps; or call `fit_mixture()`, `project()` and `link()` in
-/// this order and look at what they leave.
+/// Owns every intermediate result, so that each can be read. `run()` does all steps; or call
+/// `fit_mixture()`, `project()` and `link()` in this order and look at what they leave.
 ///
-/// The default takes noise and outliers off, reads what is left as the oriented patches of a
-/// surface, puts a sample in the medial ball of every patch, and cuts the surface along local
-/// separators, rings of patches around limbs (Baerentzen & Rotenberg 2021). Rings and the pieces
-/// between them are joined as they are on the surface, so loops survive. With `as_published(true)`
-/// it is the method of Lengauer, Houska and Preiner, whose result is always a tree.
+/// Takes noise and outliers off, reads what is left as the oriented patches of a surface, puts a sample
+/// in the medial ball of every patch, and cuts the surface along local separators, rings of patches
+/// around limbs (Baerentzen and Rotenberg 2021). Separators and the pieces between them are connected as
+/// they are on the surface, so loops survive. `Published_l1_medial_skeletonization_3` is the method of
+/// Lengauer, Houska and Preiner.
 ///
 /// \tparam Traits a model of `L1MedialSkeletonizationTraits_3`: any CGAL kernel with inexact
 ///         constructions over `float` or `double`
@@ -46,83 +43,82 @@ namespace CGAL {
 template <typename Traits, typename ConcurrencyTag = Sequential_tag>
 class L1_medial_skeletonization_3
 {
-  using Normalization = Point_set_skeletonization_3::internal::Normalization;
-  using Stages = Point_set_skeletonization_3::internal::Skeletonization_stages;
+  using Progress = Point_set_skeletonization_3::internal::Progress;
+  using Skeletonizer = Point_set_skeletonization_3::internal::Skeletonizer;
+  using Index_lists = Point_set_skeletonization_3::internal::Index_lists;
 
 public:
   using FT = typename Traits::FT;
   using Point_3 = typename Traits::Point_3;
   using Mixture = Gaussian_mixture_3<Traits>;
-  using Sample = Medial_sample_3<Traits>;
+  using Samples = Medial_samples_3<Traits>;
   using Skeleton = Curve_skeleton_3<Traits>;
 
-  /// Reads the points; see `extract_l1_medial_skeleton()` for the named parameters.
-  /// \throws std::invalid_argument if a coordinate is not finite; the message names the point
+  /// Refers to the points, which have to stay as they are until `fit_mixture()` has read them. See
+  /// `extract_l1_medial_skeleton()` for the named parameters.
   template <typename PointRange, typename NamedParameters = parameters::Default_named_parameters>
   explicit L1_medial_skeletonization_3(const PointRange& points,
                                        const NamedParameters& np = parameters::default_values())
-    : progress_(Point_set_skeletonization_3::internal::progress_of(np))
+    : L1_medial_skeletonization_3(np, 0)
   {
     namespace internal = Point_set_skeletonization_3::internal;
-    using Helper = Point_set_processing_3_np_helper<PointRange, NamedParameters>;
-    const internal::Range_blocks blocks(points, Helper::get_const_point_map(points, np),
-                                        ConcurrencyTag());
-    normalization_ = blocks.normalization();
-    stages_ = internal::make_stages<ConcurrencyTag>(np);
-    stages_->read(blocks);
+    static_assert(internal::Maps_to_points<PointRange, NamedParameters>::value,
+                  "the elements of the range are not 3D points: pass point_map(MAP)");
+    if constexpr(internal::Maps_to_points<PointRange, NamedParameters>::value) {
+      const auto source = internal::point_source(points, internal::point_map_of(points, np));
+      // With so many points reading them takes about as long as all the rest.
+      constexpr double points_like_the_rest = 1.5e6;
+      const double size = static_cast<double>(source.size);
+      reading_share_ = size / (size + points_like_the_rest);
+      fit_ = [source](Skeletonizer& skeletonizer, const Progress& progress) {
+        skeletonizer.fit_mixture(source, progress);
+      };
+    }
   }
 
-  /// Reads points that were streamed. The skeleton then names no input points: all `indices` are
-  /// empty.
-  /// \pre not `as_published`: the published method needs the points themselves
+  /// Of points that were streamed. The skeleton then names no input points: all `indices` are empty.
+  /// Refers to the builder until `fit_mixture()` has read it.
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit L1_medial_skeletonization_3(const Gaussian_mixture_builder_3<Traits>& points,
                                        const NamedParameters& np = parameters::default_values())
-    : normalization_(points.normalization_)
-    , progress_(Point_set_skeletonization_3::internal::progress_of(np))
+    : L1_medial_skeletonization_3(np, 0)
   {
-    namespace internal = Point_set_skeletonization_3::internal;
-    CGAL_precondition(!internal::is_as_published(np));
-    stages_ = std::make_unique<internal::Surface_quotient_stages<ConcurrencyTag>>(
-      internal::default_method_options(np), points.moments_);
+    fit_ = [&points](Skeletonizer& skeletonizer, const Progress&) {
+      skeletonizer.fit_mixture(points.moments_, points.normalization_);
+    };
   }
 
-  // The stages are not copied.
-  L1_medial_skeletonization_3(const L1_medial_skeletonization_3&) = delete;
-  L1_medial_skeletonization_3& operator=(const L1_medial_skeletonization_3&) = delete;
-
   /// Step 1: points to a Gaussian mixture. \returns `false` if the callback cancelled
+  /// \throws std::invalid_argument if a coordinate is not finite; the message names the point
   bool fit_mixture()
   {
-    steps_done_ = 0;
-    if(!progress_(0) || !stages_->fit(progress_.part(0, 0.1)))
-      return false;
-    steps_done_ = 1;
-    return true;
+    return steps_.run(1, 0, reading_share_, [this](const Progress& progress) {
+      progress(0);
+      fit_(skeletonizer_, progress);
+      progress(1);
+    });
   }
 
   /// Step 2: samples to the middle of the shape. \returns `false` if the callback cancelled
   /// \pre `fit_mixture()` returned `true`
   bool project()
   {
-    CGAL_precondition(steps_done_ >= 1);
-    steps_done_ = 1;
-    if(!stages_->project(progress_.part(0.1, 0.5)))
-      return false;
-    steps_done_ = 2;
-    return true;
+    CGAL_precondition(steps_.done() >= 1);
+    return steps_.run(2, reading_share_, half(), [this](const Progress& progress) {
+      skeletonizer_.project(progress);
+      progress(1);
+    });
   }
 
   /// Step 3: samples to a graph. \returns `false` if the callback cancelled
   /// \pre `project()` returned `true`
   bool link()
   {
-    CGAL_precondition(steps_done_ >= 2);
-    steps_done_ = 2;
-    if(!stages_->link(progress_.part(0.5, 1)))
-      return false;
-    steps_done_ = 3;
-    return true;
+    CGAL_precondition(steps_.done() >= 2);
+    return steps_.run(3, half(), 1, [this](const Progress& progress) {
+      skeletonizer_.link(progress);
+      progress(1);
+    });
   }
 
   /// All steps. \returns `false` if the callback cancelled
@@ -131,36 +127,25 @@ public:
   /// The mixture of step 1, in the coordinates of the input, finest level first.
   Mixture mixture() const
   {
-    return Point_set_skeletonization_3::internal::public_mixture<Traits>(stages_->mixture,
-                                                                         normalization_);
+    return Point_set_skeletonization_3::internal::to_public<Traits>(skeletonizer_.mixture());
   }
 
-  /// The samples of step 2, in the coordinates of the input. By default one per patch of the
-  /// surface, which are fewer than components where noise or outliers were taken off.
-  std::vector<Sample> samples() const
+  /// The samples of step 2, in the coordinates of the input: one for every patch of the surface, which
+  /// are fewer than components where noise or outliers were taken off.
+  Samples samples() const
   {
-    return Point_set_skeletonization_3::internal::public_samples<Traits>(stages_->samples,
-                                                                         normalization_);
+    return Point_set_skeletonization_3::internal::to_public<Traits>(skeletonizer_.samples());
   }
 
-  /// Number of components of the mixture level that step 2 reads.
-  std::size_t number_of_components() const
-  {
-    return stages_->mixture.empty() ? 0 : stages_->components().size();
-  }
+  /// Number of components of the mixture that step 2 reads, those of the finest level.
+  std::size_t number_of_components() const { return skeletonizer_.number_of_components(); }
 
   /// Number of samples.
-  std::size_t number_of_samples() const { return stages_->samples.size(); }
-
-  /// Iterations that the projection took; by default none.
-  std::size_t number_of_iterations() const { return stages_->outcome.iterations; }
-
-  /// Why the projection stopped.
-  Projection_stop_reason stop_reason() const { return stages_->outcome.reason; }
+  std::size_t number_of_samples() const { return skeletonizer_.number_of_samples(); }
 
   /// Number of input points that belong to no vertex: isolated ones, the thin tail of noise, and
   /// clusters too small to be part of the shape.
-  std::size_t number_of_outliers() const { return stages_->number_of_outliers; }
+  std::size_t number_of_outliers() const { return skeletonizer_.number_of_outliers(); }
 
   /// Replaces `skeleton` by the result of step 3.
   /// \tparam SkeletonGraph `Skeleton`, or a BGL adjacency list whose vertex bundle has `.point` and
@@ -171,10 +156,10 @@ public:
   template <typename SkeletonGraph>
   void extract_skeleton(SkeletonGraph& skeleton) const&
   {
-    CGAL_precondition(steps_done_ == 3);
-    namespace internal = Point_set_skeletonization_3::internal;
-    internal::set_public_skeleton<Traits, ConcurrencyTag>(std::as_const(*stages_), normalization_,
-                                                          skeleton);
+    CGAL_precondition(steps_.done() == 3);
+    Point_set_skeletonization_3::internal::set_public_skeleton<Traits>(
+      skeletonizer_.skeleton(), skeletonizer_.number_of_points(),
+      [this](const Index_lists& lists) { skeletonizer_.fill_point_indices(lists); }, skeleton);
   }
 
   /// The same of an object that is not needed any longer, `std::move(skeletonization)`: what it keeps
@@ -183,17 +168,35 @@ public:
   template <typename SkeletonGraph>
   void extract_skeleton(SkeletonGraph& skeleton) &&
   {
-    CGAL_precondition(steps_done_ == 3);
-    namespace internal = Point_set_skeletonization_3::internal;
-    const std::unique_ptr<Stages> stages = std::move(stages_);
-    internal::set_public_skeleton<Traits, ConcurrencyTag>(*stages, normalization_, skeleton);
+    CGAL_precondition(steps_.done() == 3);
+    Skeletonizer skeletonizer = std::move(skeletonizer_);
+    Point_set_skeletonization_3::internal::set_public_skeleton<Traits>(
+      skeletonizer.skeleton(), skeletonizer.number_of_points(),
+      [&](const Index_lists& lists) { skeletonizer.fill_point_indices_and_forget(lists); },
+      skeleton);
   }
 
 private:
-  Normalization normalization_;
-  Point_set_skeletonization_3::internal::Progress progress_;
-  std::unique_ptr<Stages> stages_;
-  int steps_done_ = 0;
+  /// What all constructors share.
+  template <typename NamedParameters>
+  L1_medial_skeletonization_3(const NamedParameters& np, int)
+    : steps_(Point_set_skeletonization_3::internal::progress_of(np)),
+      skeletonizer_(Point_set_skeletonization_3::internal::concurrency_of<ConcurrencyTag>(),
+                    Point_set_skeletonization_3::internal::is_single_component(np))
+  {
+    static_assert(
+      Point_set_skeletonization_3::internal::Has_only_input_and<
+        NamedParameters, internal_np::single_component_t>::value,
+      "unknown named parameter: known are point_map, geom_traits, callback, single_component");
+  }
+
+  /// Where the progress is after step 2.
+  double half() const { return reading_share_ + 0.45 * (1 - reading_share_); }
+
+  Point_set_skeletonization_3::internal::Steps steps_;
+  Skeletonizer skeletonizer_;
+  std::function<void(Skeletonizer&, const Progress&)> fit_;
+  double reading_share_ = 0; ///< Of the time of all steps, about.
 };
 
 } // namespace CGAL

@@ -4,50 +4,45 @@
 #ifndef CGAL_MEDIAL_SAMPLE_3_H
 #define CGAL_MEDIAL_SAMPLE_3_H
 
+#include <CGAL/Gaussian_mixture_3.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
 namespace CGAL {
 
-/// A surface patch, or as published an input point, that moved to the middle of the shape. Lengths
-/// in the unit of the input.
+/// A patch of the surface, and where it moved to in the middle of the shape.
 template <typename GeomTraits>
 struct Medial_sample_3
 {
-  using FT = typename GeomTraits::FT;
-  using Point_3 = typename GeomTraits::Point_3;
+  /// The patch: the number of its points, their mean once noise is taken off, and the covariance of
+  /// what was merged into the patch (zero for a single component).
+  Gaussian_component_3<GeomTraits> patch;
 
-  Point_3 origin{0, 0, 0}; ///< Where it started: the mean of its patch, or an input point.
-  Point_3 point{0, 0, 0};  ///< Where it is.
-  FT kernel_radius = 0;    ///< Support radius of its kernel, > 0.
-  FT radius = 0;           ///< Distance to the nearest surface that it sees from inside; 0 if none.
-  bool frozen = false;     ///< Whether an iteration found it arrived; it no longer moves.
+  /// Where the sample is, in the coordinates of the input.
+  typename GeomTraits::Point_3 point{0, 0, 0};
+
+  /// Distance to the nearest patch that the sample sees from inside, in the unit of the input; >= 0,
+  /// and 0 if it sees none.
+  typename GeomTraits::FT radius = 0;
 };
 
-/// Why a projection stopped.
-enum class Projection_stop_reason
+/// The samples of a shape, as `compute_medial_samples()` leaves them and `link_medial_samples()` takes
+/// them; data only.
+template <typename GeomTraits>
+struct Medial_samples_3
 {
-  empty,           ///< There was nothing to project.
-  converged,       ///< No sample moves any more, or none was to.
-  iteration_limit, ///< The bound on the iterations was reached first.
-  fixed_number,    ///< The published method: its fixed number of iterations is done.
-  cancelled        ///< The callback returned `false`.
-};
+  std::vector<Medial_sample_3<GeomTraits>> samples;
 
-/// The reason in one lower-case word, for logs.
-inline const char* to_string(Projection_stop_reason reason)
-{
-  switch(reason) {
-  case Projection_stop_reason::converged:
-    return "converged";
-  case Projection_stop_reason::iteration_limit:
-    return "iteration_limit";
-  case Projection_stop_reason::fixed_number:
-    return "fixed_number";
-  case Projection_stop_reason::cancelled:
-    return "cancelled";
-  case Projection_stop_reason::empty:
-    break;
-  }
-  return "empty";
-}
+  /// How much noise was taken off the patches, in [0, 1]; 0 if their means lie on the surface as it was
+  /// read.
+  typename GeomTraits::FT noise = 0;
+
+  /// Points of the surface as it was read, noise and all, each with the position of its sample in
+  /// `samples`; in any order. If there are none the means of the patches take their place.
+  std::vector<std::pair<typename GeomTraits::Point_3, std::size_t>> surface;
+};
 
 } // namespace CGAL
 

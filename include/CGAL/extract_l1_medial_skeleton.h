@@ -30,24 +30,16 @@ namespace CGAL {
 ///     \cgalParamNBegin{geom_traits} \cgalParamDescription{a model of
 ///       `L1MedialSkeletonizationTraits_3`} \cgalParamDefault{the kernel of the points} \cgalParamNEnd
 ///     \cgalParamNBegin{callback} \cgalParamDescription{called with the progress in [0, 1], from the
-///       calling thread, for the first time when the points have been read; returning `false`
-///       cancels} \cgalParamType{`std::function<bool(double)>`} \cgalParamDefault{none}
-///     \cgalParamNEnd
-///     \cgalParamNBegin{number_of_iterations} \cgalParamDescription{bound on the steps to
-///       L1-medians that follow the medial balls, and draw samples of bent limbs off the axis; as
-///       published, the fixed number of iterations} \cgalParamType{`std::size_t`}
-///       \cgalParamDefault{0; as published 30} \cgalParamNEnd
-///     \cgalParamNBegin{as_published} \cgalParamDescription{the method as published, for comparison:
-///       `as_published(true, rest)`, see `CGAL/Point_set_skeletonization_3/parameters.h`}
-///       \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
+///       calling thread; returning `false` cancels} \cgalParamType{`std::function<bool(double)>`}
+///       \cgalParamDefault{none} \cgalParamNEnd
 ///     \cgalParamNBegin{single_component} \cgalParamDescription{join all parts by the shortest bridges,
 ///       not only those between which a gap in the data is plausible: for a shape known to be in one
-///       piece. `single_component(true, rest)`; the published method always does}
+///       piece. `single_component(true, rest)`, see `CGAL/Point_set_skeletonization_3/parameters.h`}
 ///       \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
-///     \cgalParamNBegin{random_seed} \cgalParamDescription{of the published method; the default
-///       method draws nothing at random} \cgalParamType{`unsigned int`} \cgalParamDefault{0}
-///       \cgalParamNEnd
 ///   \cgalNamedParamsEnd
+///
+/// Linear time in the number of points for reading them; the rest depends on the number of cells that
+/// they occupy, which is bounded.
 ///
 /// \returns `false` if the callback cancelled
 /// \throws std::invalid_argument if a coordinate is not finite; the message names the point
@@ -57,17 +49,21 @@ template <typename ConcurrencyTag = Sequential_tag, typename PointRange, typenam
 bool extract_l1_medial_skeleton(const PointRange& points, Skeleton& skeleton,
                                 const NamedParameters& np = parameters::default_values())
 {
-  using Traits = Point_set_skeletonization_3::internal::Geom_traits_of<PointRange, NamedParameters>;
-  L1_medial_skeletonization_3<Traits, ConcurrencyTag> skeletonization(points, np);
-  if(!skeletonization.run())
-    return false;
-  std::move(skeletonization).extract_skeleton(skeleton);
+  namespace internal = Point_set_skeletonization_3::internal;
+  static_assert(internal::Maps_to_points<PointRange, NamedParameters>::value,
+                "the elements of the range are not 3D points: pass point_map(MAP)");
+  if constexpr(internal::Maps_to_points<PointRange, NamedParameters>::value) {
+    using Traits = internal::Geom_traits_of<PointRange, NamedParameters>;
+    L1_medial_skeletonization_3<Traits, ConcurrencyTag> skeletonization(points, np);
+    if(!skeletonization.run())
+      return false;
+    std::move(skeletonization).extract_skeleton(skeleton);
+  }
   return true;
 }
 
 /// The same of points that were streamed. The skeleton names no input points: all `indices` are
-/// empty. Named parameters are `callback`, `number_of_iterations` and
-/// `single_component`.
+/// empty. Named parameters are `callback` and `single_component`.
 template <typename ConcurrencyTag = Sequential_tag, typename Traits, typename Skeleton,
           typename NamedParameters = parameters::Default_named_parameters>
 bool extract_l1_medial_skeleton(const Gaussian_mixture_builder_3<Traits>& points,

@@ -8,15 +8,12 @@
 
 namespace CGAL {
 
-/// Fits a hierarchy of Gaussian mixtures to a point set.
-///
-/// By default the finest level holds the moments of the cells of a grid, every next level those of
-/// cells twice as wide: linear time, exact mass, mean and covariance. With `as_published(true)` it
-/// is hierarchical expectation maximization from the points' nearest neighbours, with weights of 1
-/// over the local density.
+/// Stage 1 alone: fits a hierarchy of Gaussian mixtures to a point set. The finest level holds the
+/// moments of the cells of a grid, every next level those of cells twice as wide: linear time; mass,
+/// mean and covariance are exact.
 ///
 /// Template and named parameters as for `extract_l1_medial_skeleton()`: `point_map`, `geom_traits`,
-/// `callback`, `as_published`, `random_seed`.
+/// `callback`.
 /// \returns the mixture, in the coordinates of the input; without levels if there are no points or
 ///          the callback cancelled
 /// \throws std::invalid_argument if a coordinate is not finite; the message names the point

@@ -9,7 +9,6 @@
 namespace CGAL {
 namespace internal_np {
 
-enum as_published_t { as_published };
 enum single_component_t { single_component };
 
 } // namespace internal_np
@@ -18,7 +17,7 @@ namespace parameters {
 
 // CGAL's own parameters chain as members; a package outside CGAL cannot add one to that chain, so
 // the parameters of this package take the rest of the chain as an optional second argument:
-// `as_published(true)`, `as_published(true, CGAL::parameters::point_map(map))`.
+// `single_component(true)`, `single_component(true, CGAL::parameters::point_map(map))`.
 
 /// Makes a named parameter that is `true` or `false`, alone or in front of others.
 template <typename Tag>
@@ -33,9 +32,6 @@ struct Boolean_parameter
     return {value, rest};
   }
 };
-
-/// The named parameter `as_published`.
-inline constexpr Boolean_parameter<internal_np::as_published_t> as_published{};
 
 /// The named parameter `single_component`.
 inline constexpr Boolean_parameter<internal_np::single_component_t> single_component{};

@@ -4,21 +4,19 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CONSOLIDATION_CONSOLIDATE_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CONSOLIDATION_CONSOLIDATE_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/consolidation/Scale_space.h>
+#include <CGAL/Point_set_skeletonization_3/internal/consolidation/measure_noise.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
-#include <CGAL/Point_set_skeletonization_3/internal/consolidation/Mixture_window.h>
-#include <CGAL/Point_set_skeletonization_3/internal/spatial/K_nearest_neighbors.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/patches.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/parallel_for.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/quantile.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/merge_by_cell.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/K_nearest_neighbors.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -26,428 +24,343 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Where the components of a mixture lie once the noise is taken off.
-struct Consolidated_surface
+struct Consolidation_options
 {
-  std::vector<Vector3> positions;
-  std::vector<bool> outlier;
-  double noise = 0; ///< In [0, 1]: how much was to be taken off.
-  Box_tree tree;    ///< If that is 0, over the positions of those that are no outliers.
+  Noise_options noise;
+
+  /// Median spacings; a component whose neighbours are further away is an outlier. Density falls by
+  /// the square root of 8 in spacing over a badly sampled shape, and outliers are spread in space, not
+  /// on a surface.
+  double isolated = 3;
+
+  /// Share of the highest density around below which a component is dropped: the tail of Gaussian
+  /// noise from 1.6 standard deviations on.
+  double thin = 0.3;
+
+  /// Spacings of a component that its window is wide at least: where points are sparse it has to be
+  /// wider to show anything.
+  double sparse = 1.6;
+
+  /// Spacings; what is further from its neighbours is compared with densities this much further away.
+  double apart = 1.5;
+
+  /// Sphericity from which on the fitted plane gives way to the mean, and over how much.
+  double plane = 0.1, plane_to_blob = 0.2;
+
+  /// Sphericity from which on narrower windows are tried.
+  double round = 0.2;
+
+  /// Thickness over that of the noise, over which a limb stops to be drowned in it: its radius is that
+  /// of the noise at 1.2, twice that at 1.7.
+  double drowned = 1.15, resolved = 1.65;
 };
 
-/// Takes the noise off a mixture: moves its components to the surface that they scatter around.
+/// A mixture without its noise and outliers: what is left are patches of a surface.
+struct Consolidated_mixture
+{
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  Gaussians patches;
+  std::vector<std::size_t> patch_of_component; ///< `none` for outliers.
+  double noise = 0;              ///< In [0, 1]: how much was taken off.
+  Box_tree tree;                 ///< Over the means of the patches.
+  K_nearest_neighbors neighbors; ///< Of the patches, themselves included.
+};
+
+/// Moves the components of a mixture to the surface that they scatter around, and drops those that
+/// belong to none.
 ///
-/// The window that this takes has to be wider than the noise and narrower than the limbs. Noise makes
-/// small windows rough, curvature and neighbouring sheets make large ones rough; so it is the first
-/// of a row of sizes whose sphericity is small, or grows with the next size. What counts is the first
-/// quartile over the shape: noise is everywhere, and nearly every shape is smooth for a quarter.
 /// A component moves to the plane fitted in its window, or in a narrower one where that shows a limb
-/// all around; in a twig as thin as the noise across it to the mean, as mean shift does (Comaniciu &
+/// all around; in a twig as thin as the noise across it to the mean, as mean shift does (Comaniciu and
 /// Meer 2002). Without noise nothing moves.
-template <typename ConcurrencyTag>
-class Surface_consolidation
+class Consolidation
 {
 public:
-  /// Refers to the mixture, to the tree over its means and to their `neighborhoods()`, of nine or more.
-  Surface_consolidation(const Gaussians& mixture, const Box_tree& tree, const K_nearest_neighbors& nearest)
-    : mixture_(mixture), tree_(&tree), nearest_(nearest), spacings_(spacings()),
+  /// Refers to the mixture, to the tree over its means and to their neighbours, of nine or more.
+  Consolidation(const Gaussians& mixture, const Box_tree& tree, const K_nearest_neighbors& nearest,
+                const Consolidation_options& options, Concurrency concurrency)
+    : options_(options), concurrency_(concurrency), tree_(tree), nearest_(nearest),
+      spacings_(spacings(nearest)),
       spacing_(std::max(quantile(spacings_, 0.5), std::numeric_limits<double>::min())),
-      radii_(radii())
-  {
-    for(const Gaussian& g : mixture)
-      result_.positions.push_back(g.mean);
-    result_.outlier.assign(mixture.size(), false);
-  }
+      radii_(spacing_), moving_{mixture, means_of(mixture), isolated_components()}
+  {}
 
-  /// To be called once.
-  Consolidated_surface operator()()
+  /// To be called once. Merges what comes to lie in one cell of this size.
+  Consolidated_mixture run(double cell_size)
   {
-    drop_isolated();
-    measure_noise();
-    result_.noise = strength_;
-    if(strength_ > 0)
-      take_noise_off();
-    else {
-      drop_all_thin();
-      result_.tree = finest().tree();
+    Scale_space space = initial_scale_space();
+    noise_ = measure_noise(space, moving_, nearest_, radii_, options_.noise, concurrency_);
+    if(noise_.strength > 0) {
+      take_noise_off(std::move(space));
+      return merged(cell_size);
     }
-    return std::move(result_);
+    return kept(without_thin_components(std::move(space)));
   }
 
 private:
   static constexpr int most_passes = 4; // the first halves the noise, the last finds nothing to do
 
-  void take_noise_off()
+  /// Distance of every component to its fourth neighbour.
+  static std::vector<double> spacings(const K_nearest_neighbors& nearest)
+  {
+    const auto fourth = static_cast<std::ptrdiff_t>(std::min<std::size_t>(4, nearest.k() - 1));
+    std::vector<double> result;
+    for(std::size_t i = 0; i < nearest.size(); ++i)
+      result.push_back(std::sqrt(nearest[i][fourth].squared_distance));
+    return result;
+  }
+
+  std::vector<bool> isolated_components() const
+  {
+    std::vector<bool> result(spacings_.size());
+    for(std::size_t i = 0; i < result.size(); ++i)
+      result[i] = spacings_[i] > options_.isolated * spacing_;
+    return result;
+  }
+
+  Scale_space initial_scale_space() const
+  {
+    const std::vector<bool>& is_outlier = moving_.is_outlier;
+    if(std::find(is_outlier.begin(), is_outlier.end(), true) == is_outlier.end())
+      return Scale_space(moving_.mixture, tree_, spacing_, concurrency_);
+    return Scale_space(moving_, spacing_, concurrency_);
+  }
+
+  Scale_space scale_space() const { return Scale_space(moving_, spacing_, concurrency_); }
+
+  void take_noise_off(Scale_space space)
   {
     // If all passes together are half a step, a window shows the same in each of them.
     constexpr double little = 0.5;
-    const int passes = most_passes * strength_ < little ? 1 : most_passes;
+    const int passes = most_passes * noise_.strength < little ? 1 : most_passes;
     for(int pass = 0; pass < passes; ++pass) {
-      move(most_passes * strength_ / passes);
-      drop_thin();
+      const std::vector<double> densities = move(space, most_passes * noise_.strength / passes);
+      space = scale_space();
+      if(!drop_thin(space, densities).empty() && pass + 1 < passes)
+        space = scale_space();
     }
   }
 
-  /// What is left to do without noise. Only what has seen a component that was dropped is measured again.
-  void drop_all_thin()
+  /// Drops thin components where nothing moves. Returns the tree over what is left.
+  Box_tree without_thin_components(Scale_space space)
   {
-    for(std::size_t i = 0; i < density_.size(); ++i)
+    // Only what has seen a component that was dropped is measured again.
+    std::vector<double> densities = noise_.densities;
+    for(std::size_t i = 0; i < densities.size(); ++i)
       if(size_for(i) > 0) // known in the narrowest window only
-        density_[i] = unknown;
+        densities[i] = unknown;
     for(int pass = 0; pass < most_passes; ++pass) {
-      measure_densities();
-      const std::vector<std::size_t> dropped = drop_thin();
+      measure_densities(space, densities);
+      const std::vector<std::size_t> dropped = drop_thin(space, densities);
       if(dropped.empty())
-        return;
+        break;
+      space = scale_space();
       for(std::size_t i : dropped)
-        forget_densities_around(i);
+        forget_densities_around(i, space, densities);
     }
+    return space.tree();
   }
 
-  /// Distance of every component to its fourth neighbour.
-  std::vector<double> spacings() const
-  {
-    const std::size_t fourth = std::min<std::size_t>(4, nearest_.k() - 1);
-    std::vector<double> result;
-    for(std::size_t i = 0; i < mixture_.size(); ++i)
-      result.push_back(std::sqrt(nearest_[i].begin()[fourth].squared_distance));
-    return result;
-  }
-
-  /// Components whose neighbours are far away are outliers: density falls by the square root of 8
-  /// in spacing over a badly sampled shape, and outliers are spread in space, not on a surface.
-  void drop_isolated()
-  {
-    constexpr double isolated = 3;
-    for(std::size_t i = 0; i < mixture_.size(); ++i)
-      result_.outlier[i] = spacings_[i] > isolated * spacing_;
-  }
-
-  static constexpr std::size_t sizes = 6;
   static constexpr double unknown = -1; // density
 
-  /// Radius of a window size: from two spacings, the narrowest with a plane in it, by steps of 1.4.
-  double radius(std::size_t size) const { return radii_[size]; }
-
-  std::array<double, sizes> radii() const
-  {
-    std::array<double, sizes> result;
-    for(std::size_t size = 0; size < sizes; ++size)
-      result[size] = 2 * spacing_ * std::pow(1.4, static_cast<double>(size));
-    return result;
-  }
-
-  /// What is left of the mixture, where it is now.
-  const Mixture_tree& finest()
-  {
-    if(finest_)
-      return *finest_;
-    const auto& outlier = result_.outlier;
-    if(tree_ && std::none_of(outlier.begin(), outlier.end(), [](bool is) { return is; })) {
-      finest_.emplace(&mixture_, tree_);
-      kept_ = tree_->order();
-      return *finest_;
-    }
-    Gaussians components;
-    std::vector<std::size_t> kept;
-    for(std::size_t i = 0; i < mixture_.size(); ++i)
-      if(!outlier[i]) {
-        components.push_back({mixture_[i].weight, result_.positions[i], mixture_[i].covariance});
-        kept.push_back(i);
-      }
-    finest_.emplace(std::move(components), ConcurrencyTag());
-    kept_.clear();
-    for(std::size_t k : finest_->tree().order())
-      kept_.push_back(kept[k]);
-    return *finest_;
-  }
-
-  void make_window(std::size_t size)
-  {
-    if(!windows_[size])
-      windows_[size] = std::make_unique<Mixture_window>(finest(), spacing_, radius(size),
-                                                         ConcurrencyTag());
-  }
-
-  /// The windows around the points of a box.
-  class Views
-  {
-  public:
-    Views(const Surface_consolidation& surface, const Box& box) : surface_(surface), box_(box) {}
-
-    Window_view& operator[](std::size_t size)
-    {
-      if(!views_[size])
-        views_[size] = surface_.windows_[size]->around(box_);
-      return *views_[size];
-    }
-
-  private:
-    const Surface_consolidation& surface_;
-    Box box_;
-    std::array<std::optional<Window_view>, sizes> views_;
-  };
-
-  /// Calls `visit(i, views)` for every component that is left. The windows must be there.
-  template <typename Visit>
-  void for_each_kept(const Visit& visit)
-  {
-    constexpr std::size_t most = 64; // components: about as many as one of them sees
-    const Box_tree& tree = finest().tree();
-    std::vector<std::size_t> groups;
-    for(std::size_t n = 0; n < tree.nodes().size();) {
-      const Box_tree::Node& node = tree.nodes()[n];
-      const bool small = node.end - node.begin <= most;
-      if(small)
-        groups.push_back(n);
-      n = small ? node.after : n + 1;
-    }
-    parallel_for<ConcurrencyTag>(groups.size(), [&](std::size_t g) {
-      const Box_tree::Node& node = tree.nodes()[groups[g]];
-      Views views(*this, tree.boxes()[groups[g]]);
-      for(std::size_t k = node.begin; k < node.end; ++k)
-        visit(kept_[k], views);
-    });
-  }
-
-  /// The same for all: an outlier shows what is around it, too.
-  template <typename Visit>
-  void for_each(const Visit& visit)
-  {
-    for_each_kept(visit);
-    parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
-      if(!result_.outlier[i])
-        return;
-      Box box;
-      box.add(result_.positions[i]);
-      Views views(*this, box);
-      visit(i, views);
-    });
-  }
-
-  /// What a window of one size shows around every n-th component; nothing of the others.
-  std::vector<Local_shape> fits(std::size_t size, std::size_t every)
-  {
-    make_window(size);
-    std::vector<Local_shape> result(mixture_.size());
-    for_each([&](std::size_t i, Views& views) {
-      if(i % every == 0)
-        result[i] = views[size](result_.positions[i]);
-    });
-    return result;
-  }
-
-  /// To be called when components have moved or been dropped.
-  void forget_windows()
-  {
-    tree_ = nullptr;
-    finest_.reset();
-    windows_ = {};
-  }
-
-  /// Chooses the size of the window and how much the components move, from nothing to all the way.
-  void measure_noise()
-  {
-    constexpr double smooth = 0.15;  // noise of a fifth of the window's radius
-    constexpr std::size_t every = 7; // some hundreds are enough
-    double least = std::numeric_limits<double>::infinity();
-    for(std::size_t size = 0; size < sizes; ++size) {
-      const std::vector<Local_shape> fits = this->fits(size, size == 0 ? 1 : every);
-      std::vector<double> sphericity, thickness;
-      for(std::size_t i = 0; i < fits.size(); i += every) {
-        sphericity.push_back(fits[i].sphericity);
-        thickness.push_back(fits[i].thickness);
-      }
-      const double quartile = quantile(sphericity, 0.25);
-      // Uneven sampling alone measures up to 0.03, noise of a quarter of the spacing 0.05 and more.
-      // So much noise that it fills a volume evenly has no scatter, but nothing is smooth.
-      if(size == 0) {
-        density_.clear();
-        for(const Local_shape& fit : fits)
-          density_.push_back(fit.density);
-        strength_ = std::min(1.0, std::max({0.0, (scatter(fits) - 0.03) / 0.03,
-                                            (quartile - 0.3) / 0.2}));
-      }
-      if(quartile > least)
-        return;
-      size_ = size;
-      noise_ = quantile(thickness, 0.25);
-      least = quartile;
-      if(quartile < smooth)
-        return;
-    }
-  }
-
-  /// How far components lie off the surface through their neighbours, in the median over the shape,
-  /// in radii of the window. On a curved surface all lie off their fitted plane, and by the same; only
-  /// the difference from the neighbours is noise.
-  double scatter(const std::vector<Local_shape>& narrowest) const
-  {
-    std::vector<Vector3> offset;
-    for(std::size_t i = 0; i < narrowest.size(); ++i)
-      offset.push_back(narrowest[i].mean - result_.positions[i]);
-    std::vector<double> off(mixture_.size());
-    parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
-      const Neighbor* const nearest = nearest_[i].begin(); // nothing has moved yet
-      const std::size_t size = std::min<std::size_t>(9, nearest_.k());
-      Vector3 mean = Vector3::Zero();
-      for(std::size_t k = 0; k < size; ++k)
-        mean += offset[nearest[k].index] / static_cast<double>(size);
-      off[i] = std::abs(narrowest[i].normal.dot(offset[i] - mean)) / radius(0);
-    });
-    return quantile(off, 0.5);
-  }
-
-  /// The window for a component: where the points are sparse it has to be wider to show anything.
+  /// The window for a component.
   std::size_t size_for(std::size_t i) const
   {
-    std::size_t size = size_;
-    while(size + 1 < sizes && radius(size) < 1.6 * spacings_[i])
+    std::size_t size = noise_.size;
+    while(size + 1 < Window_radii::size && radii_[size] < options_.sparse * spacings_[i])
       ++size;
     return size;
   }
 
-  /// How far a limb that a window shows all around is drowned in the noise, in [0, 1]. Its radius is
-  /// that of the noise where the thickness is 1.2 of that of the noise, twice that where it is 1.7.
-  double drowned(const Local_shape& fit) const
+  /// The size of the window for every component that is left. Makes them, and all narrower ones.
+  std::vector<std::size_t> window_sizes(Scale_space& space) const
   {
-    return std::min(1.0, std::max(0.0, 2 * (1.65 - fit.thickness / noise_)));
+    std::vector<std::size_t> result(spacings_.size(), 0);
+    for(std::size_t i = 0; i < result.size(); ++i)
+      if(!moving_.is_outlier[i])
+        result[i] = size_for(i);
+    for(std::size_t size = 0; size <= *std::max_element(result.begin(), result.end()); ++size)
+      space.make_window(size);
+    return result;
+  }
+
+  /// How far a limb that a window shows all around is drowned in the noise, in [0, 1].
+  double drowned(const Local_shape& shape) const
+  {
+    const double ratio = shape.thickness / noise_.thickness;
+    return std::min(
+      1.0, std::max(0.0, (options_.resolved - ratio) / (options_.resolved - options_.drowned)));
   }
 
   /// What a component sees through its window. Where that shows a limb all around, narrower ones are
   /// tried, as long as they show something flatter.
-  Local_shape fit_through(Views& views, std::size_t size, const Vector3& position) const
+  Local_shape shape_through(Scale_space::Views& views, std::size_t size,
+                            const Vector3& position) const
   {
-    constexpr double round = 0.2; // sphericity
-    Local_shape fit = views[size](position);
-    while(size-- > 0 && fit.sphericity > round && drowned(fit) < 0.5) {
-      const Local_shape narrower = views[size](position);
-      if(narrower.sphericity > fit.sphericity)
+    Local_shape shape = views[size].shape(position);
+    while(size-- > 0 && shape.sphericity > options_.round && drowned(shape) < 0.5) {
+      const Local_shape narrower = views[size].shape(position);
+      if(narrower.sphericity > shape.sphericity)
         break;
-      const double density = fit.density; // of windows of one size only, they are compared
-      fit = narrower;
-      fit.density = density;
+      const double density = shape.density; // of windows of one size only, they are compared
+      shape = narrower;
+      shape.density = density;
     }
-    return fit;
+    return shape;
   }
 
-  /// The size of the window for every component that is left. Makes them, and all narrower ones.
-  std::vector<std::size_t> window_sizes()
+  /// Moves components by a share of their way to the surface. Returns the densities where they were.
+  std::vector<double> move(Scale_space& space, double share)
   {
-    std::vector<std::size_t> result(mixture_.size(), 0);
-    for(std::size_t i = 0; i < mixture_.size(); ++i)
-      if(!result_.outlier[i])
-        result[i] = size_for(i);
-    for(std::size_t size = 0; size <= *std::max_element(result.begin(), result.end()); ++size)
-      make_window(size);
-    return result;
+    const std::vector<std::size_t> size = window_sizes(space);
+    std::vector<double> densities(spacings_.size(), 0);
+    space.for_each([&](std::size_t i, Scale_space::Views& views) {
+      Vector3& position = moving_.positions[i]; // the windows keep the ones before
+      const Local_shape shape = shape_through(views, size[i], position);
+      densities[i] = shape.density;
+      const double blob =
+        std::min(1.0, std::max(0.0, (shape.sphericity - options_.plane) / options_.plane_to_blob));
+      const Vector3 step = shape.mean - position;
+      // Along a twig nothing moves, or its points would gather in lumps.
+      const Vector3 across = step - shape.linearity * shape.axis.dot(step) * shape.axis;
+      position += share * ((1 - blob) * shape.normal.dot(step) * shape.normal +
+                           blob * drowned(shape) * across);
+    });
+    return densities;
   }
 
   /// Measures the densities that are unknown.
-  void measure_densities()
+  void measure_densities(Scale_space& space, std::vector<double>& densities) const
   {
-    const std::vector<std::size_t> size = window_sizes();
-    for(std::size_t i = 0; i < mixture_.size(); ++i)
-      if(result_.outlier[i])
-        density_[i] = 0;
-    for_each_kept([&](std::size_t i, Views& views) {
-      if(density_[i] == unknown)
-        density_[i] = views[size[i]].density(result_.positions[i]);
+    const std::vector<std::size_t> size = window_sizes(space);
+    for(std::size_t i = 0; i < densities.size(); ++i)
+      if(moving_.is_outlier[i])
+        densities[i] = 0;
+    space.for_each([&](std::size_t i, Scale_space::Views& views) {
+      if(densities[i] == unknown)
+        densities[i] = views[size[i]].density(moving_.positions[i]);
     });
   }
 
-  /// Forgets the densities at all places that have seen a component, which is dropped.
-  void forget_densities_around(std::size_t component)
+  /// Forgets the densities at all places that have seen a component, which was dropped.
+  void forget_densities_around(std::size_t component, const Scale_space& space,
+                               std::vector<double>& densities) const
   {
     // In windows of coarser components it is part of one up to a cell away.
     constexpr double sight = Window_view::reach + 0.6; // in radii: the diagonal of 1/3
-    const Box_tree& tree = finest().tree();
-    tree.visit_within(result_.positions[component], sight * radius(sizes - 1),
-                      [&](std::size_t k, double squared_distance) {
-                        const double far = sight * radius(size_for(kept_[k]));
-                        if(squared_distance < far * far)
-                          density_[kept_[k]] = unknown;
-                      });
+    const double farthest = sight * radii_[Window_radii::size - 1];
+    space.tree().visit_within(moving_.positions[component], farthest,
+                              [&](std::size_t k, double squared_distance) {
+                                const std::size_t i = space.kept()[k];
+                                const double far = sight * radii_[size_for(i)];
+                                if(squared_distance < far * far)
+                                  densities[i] = unknown;
+                              });
   }
 
-  /// Moves components by a share of their way to the surface.
-  void move(double share)
+  /// A thin cloud beside a dense surface is the tail of its noise. Returns what is dropped. `space` is
+  /// of what was left until now.
+  std::vector<std::size_t> drop_thin(const Scale_space& space,
+                                     const std::vector<double>& densities)
   {
-    const std::vector<std::size_t> size = window_sizes();
-    density_.assign(mixture_.size(), 0);
-    for_each_kept([&](std::size_t i, Views& views) {
-      Vector3& position = result_.positions[i]; // the windows keep the ones before
-      const Local_shape fit = fit_through(views, size[i], position);
-      density_[i] = fit.density;
-      const double blob = std::min(1.0, std::max(0.0, (fit.sphericity - 0.1) / 0.2));
-      const Vector3 step = fit.mean - position;
-      // Along a twig nothing moves, or its points would gather in lumps.
-      const Vector3 across = step - fit.linearity * fit.axis.dot(step) * fit.axis;
-      position += share * ((1 - blob) * fit.normal.dot(step) * fit.normal +
-                           blob * drowned(fit) * across);
-    });
-    forget_windows();
-  }
-
-  /// A thin cloud beside a dense surface is the tail of its noise. Returns what is dropped.
-  std::vector<std::size_t> drop_thin()
-  {
-    constexpr double apart = 1.5;
-    constexpr double thin = 0.3; // Gaussian noise at 1.6 standard deviations
-    const Box_tree& tree = finest().tree();
-    std::vector<double> densities; // in the order of the tree
-    for(std::size_t i : kept_)
-      densities.push_back(density_[i]);
-    const auto at = [&](std::size_t k) {
-      return densities.begin() + static_cast<std::ptrdiff_t>(k);
-    };
+    const Box_tree& tree = space.tree();
+    std::vector<double> in_order; // densities in the order of the tree
+    for(std::size_t i : space.kept())
+      in_order.push_back(densities[i]);
+    const auto at = [&](std::size_t k) { return in_order.begin() + static_cast<std::ptrdiff_t>(k); };
     std::vector<double> densest; // of every node of the tree
     for(const Box_tree::Node& node : tree.nodes())
       densest.push_back(*std::max_element(at(node.begin), at(node.end)));
-    std::vector<char> drop(mixture_.size(), 0);
-    parallel_for<ConcurrencyTag>(mixture_.size(), [&](std::size_t i) {
-      if(result_.outlier[i])
+    const double thin = options_.thin;
+    std::vector<char> drop(spacings_.size(), 0);
+    parallel_for(concurrency_, drop.size(), [&](std::size_t i) {
+      if(moving_.is_outlier[i])
         return;
-      // What lies apart from the others is compared with the surface further away.
-      const double reach = (spacings_[i] > apart * spacing_ ? 1.5 : 1) * radius(size_);
-      const Vector3& position = result_.positions[i];
+      const double apart = spacings_[i] > options_.apart * spacing_ ? options_.apart : 1;
+      const double reach = apart * radii_[noise_.size];
+      const Vector3& position = moving_.positions[i];
       const auto may_tell = [&](std::size_t node) {
-        return !drop[i] && density_[i] < thin * densest[node] &&
-               tree.boxes()[node].squared_distance(position) < reach * reach;
+        return !drop[i] && densities[i] < thin * densest[node] &&
+               tree.boxes()[node].squaredExteriorDistance(position) < reach * reach;
       };
       tree.visit_leaves(may_tell, [&](std::size_t begin, std::size_t end) {
         for(std::size_t k = begin; k < end; ++k)
-          if(density_[i] < thin * densities[k] &&
+          if(densities[i] < thin * in_order[k] &&
              (tree.positions()[k] - position).squaredNorm() < reach * reach)
             drop[i] = true;
       });
     });
     std::vector<std::size_t> dropped;
-    for(std::size_t i = 0; i < mixture_.size(); ++i)
+    for(std::size_t i = 0; i < drop.size(); ++i)
       if(drop[i]) {
-        result_.outlier[i] = true;
+        moving_.is_outlier[i] = true;
         dropped.push_back(i);
       }
-    if(!dropped.empty())
-      forget_windows();
     return dropped;
   }
 
-  const Gaussians& mixture_;
-  const Box_tree* tree_; ///< Over the mixture, as long as nothing has moved.
+  /// A patch for every component that is left, where nothing has moved; `tree` is over them.
+  Consolidated_mixture kept(const Box_tree& tree) const
+  {
+    Consolidated_mixture result;
+    result.tree = tree;
+    result.patch_of_component.assign(spacings_.size(), Consolidated_mixture::none);
+    for(std::size_t i = 0; i < spacings_.size(); ++i)
+      if(!moving_.is_outlier[i]) {
+        result.patch_of_component[i] = result.patches.size();
+        result.patches.push_back(
+          {moving_.mixture[i].weight, moving_.positions[i], Matrix3::Zero()});
+      }
+    result.neighbors = result.patches.size() == spacings_.size()
+                         ? nearest_
+                         : renumbered(nearest_, result.patch_of_component, tree, concurrency_);
+    return result;
+  }
+
+  /// The same where components have moved: those that came to lie in one cell are one patch.
+  Consolidated_mixture merged(double cell_size) const
+  {
+    std::vector<std::size_t> left;
+    Gaussians points;
+    for(std::size_t i = 0; i < spacings_.size(); ++i)
+      if(!moving_.is_outlier[i]) {
+        left.push_back(i);
+        points.push_back({moving_.mixture[i].weight, moving_.positions[i], Matrix3::Zero()});
+      }
+    const Merged_gaussians merged = merged_by_cell(points, cell_size);
+    Consolidated_mixture result;
+    result.noise = noise_.strength;
+    result.patches = merged.gaussians;
+    result.patch_of_component.assign(spacings_.size(), Consolidated_mixture::none);
+    for(std::size_t k = 0; k < left.size(); ++k)
+      result.patch_of_component[left[k]] = merged.merged_into[k];
+    result.tree = Box_tree(means_of(result.patches), concurrency_);
+    result.neighbors = k_nearest_neighbors(result.tree, surface_neighbors + 1, concurrency_);
+    return result;
+  }
+
+  const Consolidation_options& options_;
+  Concurrency concurrency_;
+  Box_tree tree_; ///< Over the mixture as it was read.
   const K_nearest_neighbors& nearest_;
   std::vector<double> spacings_;
-  double spacing_;
-  std::array<double, sizes> radii_; ///< Of the windows.
-  std::vector<double> density_; ///< Of every component, in its window; may be `unknown`.
-  std::size_t size_ = 0;
-  double strength_ = 0;
-  std::vector<std::size_t> kept_; ///< The components of `finest_`, in its order.
-  std::optional<Mixture_tree> finest_;
-  std::array<std::unique_ptr<Mixture_window>, sizes> windows_;
-  double noise_ = 0; ///< Thickness of the noisy surface: one standard deviation.
-  Consolidated_surface result_;
+  double spacing_; ///< The median.
+  Window_radii radii_;
+  Moving_mixture moving_;
+  Noise noise_;
 };
+
+/// Takes noise and outliers off a mixture. Components that come to lie in one cell of the given size
+/// become one patch. O(n log n).
+inline Consolidated_mixture consolidate(const Gaussians& mixture, double cell_size,
+                                        const Consolidation_options& options,
+                                        Concurrency concurrency)
+{
+  const Box_tree tree(means_of(mixture), concurrency);
+  const K_nearest_neighbors nearest =
+    k_nearest_neighbors(tree, surface_neighbors + 1, concurrency);
+  return Consolidation(mixture, tree, nearest, options, concurrency).run(cell_size);
+}
 
 } // namespace internal
 } // namespace Point_set_skeletonization_3

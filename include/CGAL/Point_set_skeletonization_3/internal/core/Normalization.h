@@ -6,15 +6,11 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
@@ -50,37 +46,10 @@ public:
 
   Vector3 from_unit(const Vector3& p) const { return p * diagonal_ + (lower_ + half_extent_); }
 
-  template <typename Point_3>
-  static Vector3 vector(const Point_3& p)
-  {
-    return Vector3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-  }
-
-  template <typename GeomTraits>
-  typename GeomTraits::Point_3 point(const Vector3& p) const
-  {
-    using FT = typename GeomTraits::FT;
-    const Vector3 q = from_unit(p);
-    return typename GeomTraits::Point_3(static_cast<FT>(q.x()), static_cast<FT>(q.y()),
-                                        static_cast<FT>(q.z()));
-  }
-
-  /// Upper triangle of a covariance, scaled back to the input's unit.
-  template <typename FT>
-  std::array<FT, 6> covariance(const Matrix3& c) const
-  {
-    const Matrix3 s = c * diagonal_ * diagonal_; // one after the other: the square may overflow
-    return {{static_cast<FT>(s(0, 0)), static_cast<FT>(s(0, 1)), static_cast<FT>(s(0, 2)),
-             static_cast<FT>(s(1, 1)), static_cast<FT>(s(1, 2)), static_cast<FT>(s(2, 2))}};
-  }
-
-  template <typename FT>
-  Matrix3 unit_covariance(const std::array<FT, 6>& c) const
-  {
-    Matrix3 s;
-    s << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
-    return s / diagonal_ / diagonal_;
-  }
+  /// A covariance in the input's unit. The factors are applied one after the other: the square of the
+  /// diagonal may overflow.
+  Matrix3 covariance_from_unit(const Matrix3& c) const { return c * diagonal_ * diagonal_; }
+  Matrix3 covariance_to_unit(const Matrix3& c) const { return c / diagonal_ / diagonal_; }
 
 private:
   Vector3 lower_ = Vector3::Zero();
@@ -125,16 +94,6 @@ private:
   std::size_t not_finite_ = none; ///< The first point with such a coordinate.
   Vector3 lower_ = Vector3::Constant(infinity), upper_ = Vector3::Constant(-infinity);
 };
-
-/// The similarity that normalises `points`.
-/// \throws std::invalid_argument that names the first point with a coordinate that is not finite
-inline Normalization normalization_of(const std::vector<Vector3>& points)
-{
-  Extent extent;
-  for(std::size_t i = 0; i < points.size(); ++i)
-    extent.add(i, points[i]);
-  return extent.normalization();
-}
 
 } // namespace internal
 } // namespace Point_set_skeletonization_3

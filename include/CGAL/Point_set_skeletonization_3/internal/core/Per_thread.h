@@ -4,64 +4,95 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_PER_THREAD_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_PER_THREAD_H
 
-#include <CGAL/tags.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/combinable.h>
 #endif
 
-#include <type_traits>
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <utility>
 
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// An object of every thread, for the body of a `parallel_for()` to work with. Which thread's it was
-/// must not matter to the result.
-template <typename ConcurrencyTag, typename Object, typename = void>
+/// An object for every thread, as scratch memory for the body of a `parallel_for()`. Which thread's
+/// object it was must not matter to the result.
+template <typename Object>
 class Per_thread
 {
 public:
-  /// `make()` makes one.
-  template <typename Make>
-  explicit Per_thread(const Make& make) : object_(make())
-  {}
+  /// `make()` makes an object.
+  Per_thread(Concurrency concurrency, const std::function<Object()>& make)
+#ifdef CGAL_LINKED_WITH_TBB
+    : of_threads_(make)
+#endif
+  {
+#ifdef CGAL_LINKED_WITH_TBB
+    if(concurrency == Concurrency::parallel)
+      return;
+#endif
+    static_cast<void>(concurrency);
+    only_.emplace(make());
+  }
 
-  Object& local() { return object_; }
+  Object& local()
+  {
+#ifdef CGAL_LINKED_WITH_TBB
+    if(!only_)
+      return of_threads_.local();
+#endif
+    return *only_;
+  }
 
   /// Calls `visit(object)` for each there is.
   template <typename Visit>
   void for_each(const Visit& visit)
   {
-    visit(object_);
-  }
-
-private:
-  Object object_;
-};
-
 #ifdef CGAL_LINKED_WITH_TBB
-template <typename ConcurrencyTag, typename Object>
-class Per_thread<ConcurrencyTag, Object,
-                 std::enable_if_t<std::is_convertible<ConcurrencyTag, Parallel_tag>::value>>
-{
-public:
-  template <typename Make>
-  explicit Per_thread(const Make& make) : objects_(make)
-  {}
-
-  Object& local() { return objects_.local(); }
-
-  template <typename Visit>
-  void for_each(const Visit& visit)
-  {
-    objects_.combine_each(visit);
+    if(!only_)
+      return of_threads_.combine_each(visit);
+#endif
+    visit(*only_);
   }
 
 private:
-  tbb::combinable<Object> objects_;
-};
+  std::optional<Object> only_;
+#ifdef CGAL_LINKED_WITH_TBB
+  tbb::combinable<Object> of_threads_;
 #endif
+};
+
+/// Calls `body(i, value)` for 0 <= i < `size`, where `value` is a copy of `zero`, one for every
+/// thread; `value.add(other)` adds them up. Which thread called what, and in which order the values
+/// are added, must not matter to the result. Reports the progress after every `slice` calls.
+template <typename Value, typename Body>
+Value parallel_sum(Concurrency concurrency, std::size_t size, const Value& zero, const Body& body,
+                   const Progress& progress = Progress(), std::size_t slice = std::size_t(1) << 10)
+{
+  Per_thread<Value> values(concurrency, [&] { return zero; });
+  for(std::size_t first = 0; first < size; first += slice) {
+    const std::size_t end = std::min(size, first + slice);
+    parallel_for(concurrency, end - first,
+                 [&](std::size_t i) { body(first + i, values.local()); });
+    progress(static_cast<double>(end) / static_cast<double>(size));
+  }
+  Value* sum = nullptr;
+  values.for_each([&](Value& value) {
+    if(sum)
+      sum->add(std::move(value));
+    else
+      sum = &value;
+  });
+  if(!sum)
+    return zero;
+  return std::move(*sum);
+}
 
 } // namespace internal
 } // namespace Point_set_skeletonization_3

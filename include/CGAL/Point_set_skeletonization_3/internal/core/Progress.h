@@ -11,8 +11,12 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The user's callback, seen from one stage that covers a part of the whole.
-/// Always called from the thread that runs the stage.
+/// Thrown where the user's callback cancels, and caught where the user called.
+struct Cancelled
+{};
+
+/// The user's callback, seen from a stage that is a part of the whole. Always called from the thread
+/// that runs the stage, outside of parallel loops.
 class Progress
 {
 public:
@@ -24,13 +28,14 @@ public:
   {}
 
   /// The same callback for the part [`begin`, `end`] of this one.
-  Progress part(double begin, double end) const
-  {
-    return Progress(callback_, at(begin), at(end));
-  }
+  Progress part(double begin, double end) const { return Progress(callback_, at(begin), at(end)); }
 
-  /// Reports `fraction` in [0, 1] of this stage; `false` means: cancel.
-  bool operator()(double fraction) const { return !callback_ || callback_(at(fraction)); }
+  /// Reports `fraction` in [0, 1] of this stage. \throws Cancelled if the callback returns `false`
+  void operator()(double fraction) const
+  {
+    if(callback_ && !callback_(at(fraction)))
+      throw Cancelled();
+  }
 
 private:
   double at(double fraction) const { return begin_ + fraction * (end_ - begin_); }

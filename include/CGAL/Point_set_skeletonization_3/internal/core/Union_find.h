@@ -13,7 +13,8 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Disjoint sets of the numbers below `size`.
+/// Disjoint sets of the numbers below `size` (union-find with path halving). The smallest number of a
+/// set is its root, so that the sets and their names do not depend on the order of the calls.
 class Union_find
 {
 public:
@@ -22,21 +23,22 @@ public:
     std::iota(parent_.begin(), parent_.end(), std::size_t(0));
   }
 
-  std::size_t root(std::size_t v)
+  /// The smallest number of the set of `v`.
+  std::size_t find(std::size_t v)
   {
     while(parent_[v] != v)
       v = parent_[v] = parent_[parent_[v]];
     return v;
   }
 
-  /// Joins the sets of `a` and `b`; false if they were one already.
+  /// Joins the sets of `a` and `b`; `false` if they were one already.
   bool join(std::size_t a, std::size_t b)
   {
     if(parent_[a] == parent_[b]) // most of the time
       return false;
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b); // the smallest is the root: no dependence on order
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
     return a != b;
   }
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_SKELETON_GRAPH_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_SKELETON_GRAPH_H
 
+
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 
 #include <cstddef>
@@ -23,8 +24,9 @@ struct Skeleton_graph
 {
   struct Vertex
   {
-    Vector3 position;
+    Vector3 position = Vector3::Zero();
     double radius = 0;
+    bool is_cross_section = false; ///< It stands for a separator, not for a piece between them.
   };
   using Edge = std::pair<std::size_t, std::size_t>;
 

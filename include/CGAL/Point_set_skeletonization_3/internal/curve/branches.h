@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_BRANCHES_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_BRANCHES_H
 
+
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 
 #include <algorithm>
@@ -36,7 +37,7 @@ inline Skeleton_graph::Vertex point_at(double s, const Branch& branch, const Ske
     const double length = (b.position - a.position).norm();
     if(s <= length && length > 0)
       return {a.position + s / length * (b.position - a.position),
-              a.radius + s / length * (b.radius - a.radius)};
+              a.radius + s / length * (b.radius - a.radius), false};
     s -= length;
   }
   return graph.vertices[branch.back()];

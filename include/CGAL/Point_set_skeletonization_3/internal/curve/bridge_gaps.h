@@ -4,14 +4,16 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_BRIDGE_GAPS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_BRIDGE_GAPS_H
 
+
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/minimum_spanning_forest.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/refine_curve.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -45,39 +47,34 @@ public:
     for(std::size_t v = 0; v < graph_.vertices.size(); ++v)
       if(adjacency_[v].size() == 1)
         for(std::size_t w = 0; w < graph_.vertices.size(); ++w)
-          if(sets_.root(v) != sets_.root(w) && is_plausible(v, w))
-            bridges.push_back({distance(v, w), v, w});
-    add(bridges);
+          if(sets_.find(v) != sets_.find(w) && is_plausible(v, w))
+            bridges.push_back({v, w, distance(v, w)});
+    add(minimum_spanning_forest(sets_, graph_.vertices.size(), std::move(bridges)));
   }
 
   /// Adds the shortest bridges that make one component of all.
   void join_all()
   {
-    for(;;) { // every round halves the number of components at least (Boruvka 1926)
-      std::vector<Bridge> nearest(graph_.vertices.size(), {infinity, 0, 0}); // of every component
-      bool one = true;
-      for(std::size_t v = 0; v < graph_.vertices.size(); ++v)
-        for(std::size_t w = v + 1; w < graph_.vertices.size(); ++w) {
-          const std::size_t a = sets_.root(v), b = sets_.root(w);
-          if(a == b)
-            continue;
-          one = false;
-          const Bridge bridge{distance(v, w), v, w};
-          nearest[a] = std::min(nearest[a], bridge);
-          nearest[b] = std::min(nearest[b], bridge);
-        }
-      if(one)
-        return;
-      nearest.erase(std::remove_if(nearest.begin(), nearest.end(),
-                                   [](const Bridge& b) { return std::get<0>(b) == infinity; }),
-                    nearest.end());
-      add(nearest);
-    }
+    add(minimum_spanning_forest<Bridge>(
+      sets_, graph_.vertices.size(), [this](const auto& visit) {
+        for(std::size_t v = 0; v < graph_.vertices.size(); ++v)
+          for(std::size_t w = v + 1; w < graph_.vertices.size(); ++w)
+            if(sets_.find(v) != sets_.find(w))
+              visit(Bridge{v, w, distance(v, w)});
+      }));
   }
 
 private:
-  using Bridge = std::tuple<double, std::size_t, std::size_t>; // length, from, to
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  struct Bridge
+  {
+    std::size_t a, b;
+    double length;
+
+    bool operator<(const Bridge& other) const
+    {
+      return std::tie(length, a, b) < std::tie(other.length, other.a, other.b);
+    }
+  };
 
   double distance(std::size_t v, std::size_t w) const
   {
@@ -93,7 +90,7 @@ private:
 
   bool is_plausible(std::size_t end, std::size_t w) const
   {
-    // A gap as long as the limb is thick, twice over, is bridged by the eye.
+    // The eye bridges a gap that is twice as long as the limb is thick.
     constexpr double widest = 4; // radii
     // Of a twig thinner than two patches neither the radius nor the direction is known.
     constexpr double thin = 2, widest_of_thin = 8; // spacings
@@ -105,12 +102,11 @@ private:
            (adjacency_[w].size() != 1 || points_at(w, end));
   }
 
-  void add(std::vector<Bridge>& bridges)
+  void add(std::vector<Bridge> bridges)
   {
     std::sort(bridges.begin(), bridges.end());
     for(const Bridge& bridge : bridges)
-      if(sets_.join(std::get<1>(bridge), std::get<2>(bridge)))
-        graph_.edges.emplace_back(std::get<1>(bridge), std::get<2>(bridge));
+      graph_.edges.emplace_back(bridge.a, bridge.b);
   }
 
   Skeleton_graph& graph_;

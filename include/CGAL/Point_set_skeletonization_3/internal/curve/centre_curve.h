@@ -4,12 +4,12 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_CENTRE_CURVE_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_CENTRE_CURVE_H
 
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/cross_section.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/parallel_for.h>
 
 #include <CGAL/number_utils.h>
-#include <CGAL/tags.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -33,25 +34,27 @@ namespace internal {
 ///     sum w |x - c|^2 + sum (l / h)^4 |second difference of x|^2
 ///
 /// with the centre c of the cut at a vertex, the share w of its boundary that is known, the distance h
-/// of vertices, and a length l in proportion to the radius of the limb: what wavers within less than
-/// its own width is no limb. Along a limb that is a low pass of fourth order: of a wave of length
+/// of vertices, and a length l in proportion to the radius of the limb: a limb does not wind within less
+/// than its own width. Along a limb that is a low pass of fourth order: of a wave of length
 /// 2 pi l one half is left, of ten times that all but 1 in 10000. As the cuts follow the skeleton, a
 /// few rounds are needed. Where the centre is outside of the shape, as that of a channel, nothing is
 /// drawn there.
-template <typename ConcurrencyTag, typename Inside>
-class Skeleton_centring
+class Curve_centring
 {
 public:
+  /// Tells of many places at once whether they are in the shape.
+  using Are_inside = std::function<std::vector<bool>(const std::vector<Vector3>&)>;
+
   /// `surface[v]` are the points of the surface that belong to vertex v, noise and all: taking it off
   /// draws what is curved to the inside. `spacing` is about how far they are apart. The radii of the
   /// graph are those of the limbs, roughly. `inside` tells of places whether they are in the shape.
-  Skeleton_centring(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
-                    double spacing, const Inside& inside)
-    : graph_(graph), surface_(surface), spacing_(spacing), inside_(inside),
+  Curve_centring(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
+                 double spacing, const Are_inside& inside, Concurrency concurrency)
+    : concurrency_(concurrency), graph_(graph), surface_(surface), spacing_(spacing), inside_(inside),
       adjacency_(graph.adjacency()), start_(graph.vertices), drawn_(graph.vertices.size())
   {}
 
-  void operator()()
+  void run()
   {
     constexpr int rounds = 3; // every one leaves a tenth of the way
     for(int round = 0; round < rounds; ++round) {
@@ -59,7 +62,7 @@ public:
       for(std::size_t v = 0; v < drawn_.size(); ++v)
         if((graph_.vertices[v].position - drawn_[v].from).norm() >= stays * drawn_[v].radius)
           moved.push_back(v);
-      parallel_for<ConcurrencyTag>(moved.size(),
+      parallel_for(concurrency_, moved.size(),
                                    [&](std::size_t k) { drawn_[moved[k]] = drawn(moved[k]); });
       keep_inside(moved);
       move();
@@ -253,10 +256,11 @@ private:
                              stiffness * a.second * b.second);
   }
 
+  Concurrency concurrency_;
   Skeleton_graph& graph_;
   const std::vector<std::vector<Vector3>>& surface_;
   double spacing_;
-  const Inside& inside_;
+  const Are_inside& inside_;
   std::vector<std::vector<std::size_t>> adjacency_;
   const std::vector<Skeleton_graph::Vertex> start_;
   std::vector<Drawn> drawn_; ///< Of every vertex.
@@ -264,11 +268,11 @@ private:
 };
 
 /// Moves a skeleton to the centres of the cross-sections of its limbs; parameters as above.
-template <typename ConcurrencyTag, typename Inside>
-void centre_skeleton(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
-                     double spacing, const Inside& inside)
+inline void centre_curve(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
+                         double spacing, const Curve_centring::Are_inside& inside,
+                         Concurrency concurrency)
 {
-  Skeleton_centring<ConcurrencyTag, Inside>(graph, surface, spacing, inside)();
+  Curve_centring(graph, surface, spacing, inside, concurrency).run();
 }
 
 } // namespace internal

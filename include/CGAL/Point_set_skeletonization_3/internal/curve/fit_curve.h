@@ -4,20 +4,20 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_FIT_CURVE_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_FIT_CURVE_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/quantile.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/bridge_gaps.h>
-#include <CGAL/Point_set_skeletonization_3/internal/spatial/nearest_points.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/quantile.h>
-#include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/centre_curve.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/refine_curve.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/Winding_number.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/nearest_points.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/inside.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -32,23 +32,34 @@ struct Surface_point
   Vector3 position;
 };
 
+/// The vertex nearest to every sample. \pre there is a vertex
+inline std::vector<std::size_t> vertices_of_samples(const Skeleton_graph& graph,
+                                                    const Surface& surface, const Samples& samples,
+                                                    Concurrency concurrency)
+{
+  std::vector<Vector3> vertices, in_order; // samples next to each other in the tree are close
+  for(const Skeleton_graph::Vertex& vertex : graph.vertices)
+    vertices.push_back(vertex.position);
+  for(std::size_t i : surface.tree.order())
+    in_order.push_back(samples[i].position);
+  return surface.tree.by_index(nearest_points(Box_tree(vertices), in_order, concurrency));
+}
+
 /// Fits a skeleton graph, whose vertices are where the linking left them, to the surface.
-template <typename ConcurrencyTag>
-class Skeleton_fitting
+class Curve_fitting
 {
 public:
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-
   /// `points` are those of the surface, noise and all; of a sample that is an outlier there is none.
   /// `noise` in [0, 1] tells how much there is.
-  Skeleton_fitting(Skeleton_graph& graph, const Surface<ConcurrencyTag>& surface,
-                   const std::vector<Sample>& samples, const std::vector<Surface_point>& points,
-                   double noise)
-    : graph_(graph), surface_(surface), samples_(samples), points_(points), noise_(noise)
+  Curve_fitting(Skeleton_graph graph, const Surface& surface, const Samples& samples,
+                const std::vector<Surface_point>& points, double noise, Concurrency concurrency)
+    : graph_(std::move(graph)), surface_(surface), samples_(samples), points_(points),
+      noise_(noise), concurrency_(concurrency)
   {}
 
   /// Evens the graph out, bridges gaps, centres it, leads the ends to the tips and measures the radii.
-  void fit(bool single_component)
+  /// To be called once.
+  Skeleton_graph run(bool single_component)
   {
     smooth(graph_);
     resample();
@@ -60,21 +71,7 @@ public:
     measure_radii();
     if(noise_ > 0)
       correct_radii(points_of_vertices());
-  }
-
-  /// The vertex nearest to every sample; `none` for outliers.
-  std::vector<std::size_t> vertices_of_samples() const
-  {
-    const std::vector<std::size_t>& order = surface_.tree.order(); // samples in a row are close
-    const Box_tree tree(graph_.vertices.size(),
-                        [&](std::size_t v) { return graph_.vertices[v].position; });
-    const std::vector<std::size_t> nearest = nearest_points<ConcurrencyTag>(
-      tree, order.size(), [&](std::size_t k) { return samples_[order[k]].position; });
-    const std::vector<std::size_t> vertex = surface_.tree.by_index(nearest);
-    std::vector<std::size_t> result(samples_.size(), none);
-    for(const Surface_point& point : points_)
-      result[point.sample] = vertex[point.sample];
-    return result;
+    return std::move(graph_);
   }
 
 private:
@@ -101,8 +98,9 @@ private:
   void centre()
   {
     measure_radii();
-    centre_skeleton<ConcurrencyTag>(graph_, points_of_vertices(), surface_.spacing,
-                                    [this](const auto& places) { return are_inside(places); });
+    centre_curve(
+      graph_, points_of_vertices(), surface_.spacing,
+      [this](const std::vector<Vector3>& places) { return are_inside(places); }, concurrency_);
   }
 
   void extend()
@@ -118,14 +116,13 @@ private:
   /// As far as one knows: in noise a thin limb has no inside that could be told.
   bool is_inside(const Vector3& q) const
   {
-    return (*surface_.winding_number)(q) >= least_inside - noise_;
+    return surface_.winding_number(q) >= least_inside - noise_;
   }
 
   std::vector<bool> are_inside(const std::vector<Vector3>& places) const
   {
     std::vector<bool> result;
-    for(double value : surface_.winding_number->template at_places<ConcurrencyTag>(
-          places.size(), [&](std::size_t k) { return places[k]; }))
+    for(double value : surface_.winding_number.at_places(places, concurrency_))
       result.push_back(value >= least_inside - noise_);
     return result;
   }
@@ -133,8 +130,10 @@ private:
   /// The radius of every vertex: how far the surface is that it sees.
   void measure_radii()
   {
-    const std::vector<double> radii = surface_.visible->template distances<ConcurrencyTag>(
-      graph_.vertices.size(), [&](std::size_t v) { return graph_.vertices[v].position; });
+    std::vector<Vector3> places;
+    for(const Skeleton_graph::Vertex& vertex : graph_.vertices)
+      places.push_back(vertex.position);
+    const std::vector<double> radii = surface_.visible.distances(places, concurrency_);
     for(std::size_t v = 0; v < radii.size(); ++v)
       if(radii[v] > 0)
         graph_.vertices[v].radius = radii[v];
@@ -165,19 +164,30 @@ private:
   /// The points of the surface of every vertex.
   std::vector<std::vector<Vector3>> points_of_vertices() const
   {
-    const std::vector<std::size_t> vertex_of_sample = vertices_of_samples();
+    const std::vector<std::size_t> vertex_of_sample =
+      vertices_of_samples(graph_, surface_, samples_, concurrency_);
     std::vector<std::vector<Vector3>> result(graph_.vertices.size());
     for(const Surface_point& point : points_)
       result[vertex_of_sample[point.sample]].push_back(point.position);
     return result;
   }
 
-  Skeleton_graph& graph_;
-  const Surface<ConcurrencyTag>& surface_;
-  const std::vector<Sample>& samples_;
+  Skeleton_graph graph_;
+  const Surface& surface_;
+  const Samples& samples_;
   const std::vector<Surface_point>& points_;
   double noise_;
+  Concurrency concurrency_;
 };
+
+/// A curve through the middle of the limbs that a graph connects; see `Curve_fitting`.
+inline Skeleton_graph fit_curve(Skeleton_graph graph, const Surface& surface,
+                                const Samples& samples, const std::vector<Surface_point>& points,
+                                double noise, bool single_component, Concurrency concurrency)
+{
+  return Curve_fitting(std::move(graph), surface, samples, points, noise, concurrency)
+    .run(single_component);
+}
 
 } // namespace internal
 } // namespace Point_set_skeletonization_3

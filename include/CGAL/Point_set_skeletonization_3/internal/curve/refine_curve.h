@@ -4,6 +4,8 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_REFINE_CURVE_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_REFINE_CURVE_H
 
+
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/branches.h>
 
 #include <algorithm>
@@ -85,12 +87,11 @@ inline Vector3 tip_direction(std::size_t v, const Skeleton_graph& graph,
   return (end.position - graph.vertices[branch[k]].position).normalized();
 }
 
-/// Moves the ends out to the tips: so far along its branch that the ball at the end reaches the
-/// furthest of the surface points that belong to it, and half as far again and again where that is not
-/// `inside`, as in a limb that bends at its end. `surface[v]` are those points.
-template <typename Inside>
-void extend_tips(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
-                 const Inside& inside)
+/// Moves the ends of branches out to the tips of limbs: so far along its branch that the ball at the end
+/// reaches the furthest of the surface points that belong to it, and half as far again and again where
+/// that is not `inside`, as in a limb that bends at its end. `surface[v]` are those points.
+inline void extend_tips(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
+                        const std::function<bool(const Vector3&)>& inside)
 {
   const auto adjacency = graph.adjacency();
   for(std::size_t v = 0; v < adjacency.size(); ++v) {

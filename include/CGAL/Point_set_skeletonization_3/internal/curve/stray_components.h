@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_STRAY_COMPONENTS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_STRAY_COMPONENTS_H
 
+
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 
@@ -24,16 +25,16 @@ constexpr double stray_share = 0.01;
 inline std::vector<bool> stray_vertices(const Skeleton_graph& graph,
                                         const std::vector<double>& weight)
 {
-  Union_find connectivity(graph.vertices.size());
+  Union_find parts(graph.vertices.size());
   for(const Skeleton_graph::Edge& e : graph.edges)
-    connectivity.join(e.first, e.second);
+    parts.join(e.first, e.second);
   std::vector<double> total(graph.vertices.size(), 0);
   for(std::size_t v = 0; v < weight.size(); ++v)
-    total[connectivity.root(v)] += weight[v];
+    total[parts.find(v)] += weight[v];
   const double largest = total.empty() ? 0 : *std::max_element(total.begin(), total.end());
   std::vector<bool> stray(graph.vertices.size());
   for(std::size_t v = 0; v < stray.size(); ++v)
-    stray[v] = total[connectivity.root(v)] < stray_share * largest;
+    stray[v] = total[parts.find(v)] < stray_share * largest;
   return stray;
 }
 

@@ -4,11 +4,15 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_SURFACE_QUOTIENT_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_SURFACE_QUOTIENT_H
 
+
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/minimum_spanning_forest.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Ball_overlaps.h>
-#include <CGAL/Point_set_skeletonization_3/internal/separators/local_separators.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/parallel_for.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Local_separator.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -32,13 +36,13 @@ struct Surface_quotient
 /// separators, which its pieces connect, and what touches a separator on one side is one piece
 /// however many strips it falls into.
 ///
-/// Limbs that touch are one surface to the points. So patches are one piece where the balls inside
-/// them are joined; where they are not - or where nothing is known - only if the shape would fall
-/// apart otherwise: a loop needs evidence, to hang together needs none.
+/// Limbs that touch are one surface to the points. So neighbouring patches are in one piece where their
+/// medial balls overlap. Where they do not, or nothing is known of them, they are in one piece only if
+/// the shape would fall apart otherwise: such a link may connect parts, but must not close a loop.
 class Surface_cut
 {
 public:
-  Surface_cut(const std::vector<Patch>& patches, const Ball_overlaps& joints,
+  Surface_cut(const Patches& patches, const Ball_overlaps& overlaps,
               const std::vector<Local_separator>& separators)
     : separators_(separators), separator_of_patch_(patches.size(), none),
       sets_(2 * separators.size() + patches.size())
@@ -47,58 +51,63 @@ public:
       for(std::size_t i : separators[s].patches)
         separator_of_patch_[i] = s;
 
-    std::vector<Link> narrow = join_wide(joints);
-    std::stable_sort(narrow.begin(), narrow.end(),
-                     [](const Link& a, const Link& b) { return a.joint > b.joint; });
+    std::vector<Link> doubtful = join_overlapping(overlaps);
     Union_find whole = sets_; // with the separators' two sides one
     for(std::size_t s = 0; s < separators.size(); ++s)
       whole.join(node(s, 0), node(s, 1));
-    for(const Link& link : narrow)
-      if(whole.join(link.a, link.b))
-        sets_.join(link.a, link.b);
+    const std::size_t nodes = 2 * separators.size() + patches.size();
+    for(const Link& link : minimum_spanning_forest(whole, nodes, std::move(doubtful)))
+      sets_.join(link.a, link.b);
   }
 
   /// The separator of a patch; `none` if it belongs to a piece.
   std::size_t separator(std::size_t patch) const { return separator_of_patch_[patch]; }
   /// A name of the piece of a patch that belongs to no separator.
-  std::size_t piece(std::size_t patch) { return sets_.root(node(patch)); }
+  std::size_t piece(std::size_t patch) { return sets_.find(node(patch)); }
   /// The same name for the piece on a side of a separator.
   std::size_t piece(std::size_t separator, std::size_t side)
   {
-    return sets_.root(node(separator, side));
+    return sets_.find(node(separator, side));
   }
 
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 private:
-  /// Two nodes that touch, and how wide their joint is, in [0, 1].
+  /// Two nodes that touch, and how far the balls of their patches overlap, in [0, 1].
   struct Link
   {
-    double joint;
     std::size_t a, b;
+    std::size_t index;
+    double overlap;
+
+    /// What overlaps more comes first.
+    bool operator<(const Link& other) const
+    {
+      return overlap != other.overlap ? overlap > other.overlap : index < other.index;
+    }
   };
 
   // Nodes: the two sides of every separator, then every patch.
   std::size_t node(std::size_t separator, std::size_t side) const { return 2 * separator + side; }
   std::size_t node(std::size_t patch) const { return 2 * separators_.size() + patch; }
 
-  /// Joins what touches in a wide joint; returns the other links.
-  std::vector<Link> join_wide(const Ball_overlaps& joints)
+  /// Joins what touches where balls overlap; returns the other links.
+  std::vector<Link> join_overlapping(const Ball_overlaps& overlaps)
   {
-    std::vector<Link> narrow;
-    for(std::size_t k = 0; k < joints.pairs().size(); ++k) {
-      const auto [i, j] = joints.pairs()[k];
+    std::vector<Link> doubtful;
+    for(std::size_t k = 0; k < overlaps.pairs().size(); ++k) {
+      const auto [i, j] = overlaps.pairs()[k];
       if(separator_of_patch_[i] != none && separator_of_patch_[i] == separator_of_patch_[j])
         continue;
       const std::size_t a = end(i, j), b = end(j, i);
       if(a == none || b == none)
         continue;
-      if(joints.overlap(k))
+      if(overlaps.are_in_one_limb(k))
         sets_.join(a, b);
       else
-        narrow.push_back({joints.width(k), a, b});
+        doubtful.push_back({a, b, k, overlaps[k]});
     }
-    return narrow;
+    return doubtful;
   }
 
   /// The node of patch `i` where it touches patch `j`: its own, or if it belongs to a separator that
@@ -134,9 +143,9 @@ patches_of_vertices(const std::vector<std::size_t>& vertex_of_patch, std::size_t
 /// The L1-median of some samples, by Weiszfeld's iteration from their mean: a few that went astray do
 /// not draw it away. \pre there is a sample
 inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
-                                     const std::vector<Sample>& samples)
+                                     const Samples& samples)
 {
-  Skeleton_graph::Vertex result{Vector3::Zero(), 0};
+  Skeleton_graph::Vertex result;
   for(std::size_t i : members) {
     result.position += samples[i].position / static_cast<double>(members.size());
     result.radius += samples[i].radius / static_cast<double>(members.size());
@@ -159,21 +168,21 @@ inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
 
 /// The surface quotient: every separator and every piece between separators made one vertex, in the
 /// middle of the samples of its patches.
-template <typename ConcurrencyTag>
-Surface_quotient surface_quotient(const std::vector<Patch>& patches,
-                                  const std::vector<Sample>& samples, const Ball_overlaps& joints,
-                                  const std::vector<Local_separator>& separators)
+inline Surface_quotient surface_quotient(const Patches& patches, const Samples& samples,
+                                         const Ball_overlaps& overlaps,
+                                         const std::vector<Local_separator>& separators,
+                                         Concurrency concurrency)
 {
   constexpr std::size_t none = Surface_cut::none;
-  Surface_cut surface(patches, joints, separators);
+  Surface_cut surface(patches, overlaps, separators);
   Surface_quotient result;
-  result.graph.vertices.resize(separators.size(), {Vector3::Zero(), 0});
+  result.graph.vertices.resize(separators.size());
   std::vector<std::pair<std::size_t, std::size_t>> beside; // a vertex beside a separator
   std::vector<std::size_t> vertex_of_piece(2 * separators.size() + patches.size(), none);
   const auto vertex = [&](std::size_t piece) {
     if(vertex_of_piece[piece] == none) {
       vertex_of_piece[piece] = result.graph.vertices.size();
-      result.graph.vertices.push_back({Vector3::Zero(), 0});
+      result.graph.vertices.emplace_back();
     }
     return vertex_of_piece[piece];
   };
@@ -189,7 +198,7 @@ Surface_quotient surface_quotient(const std::vector<Patch>& patches,
     result.graph.edges.emplace_back(s, result.graph.vertices.size());
     result.graph.edges.emplace_back(b, result.graph.vertices.size());
     beside.emplace_back(result.graph.vertices.size(), s);
-    result.graph.vertices.push_back({Vector3::Zero(), 0});
+    result.graph.vertices.emplace_back();
   }
   for(std::size_t i = 0; i < patches.size(); ++i)
     result.vertex_of_patch.push_back(surface.separator(i) != none ? surface.separator(i)
@@ -207,8 +216,9 @@ Surface_quotient surface_quotient(const std::vector<Patch>& patches,
                                separators[e.first].patches.end());
   for(const auto& pair : beside)
     members[pair.first] = separators[pair.second].sides[1];
-  parallel_for<ConcurrencyTag>(members.size(), [&](std::size_t v) {
+  parallel_for(concurrency, members.size(), [&](std::size_t v) {
     result.graph.vertices[v] = middle(members[v], samples);
+    result.graph.vertices[v].is_cross_section = v < separators.size();
   });
   return result;
 }

@@ -5,27 +5,95 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_NAMED_PARAMETERS_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
-#include <CGAL/Point_set_skeletonization_3/internal/published/Published_method.h>
-#include <CGAL/Point_set_skeletonization_3/internal/interface/Surface_quotient_stages.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+#include <CGAL/tags.h>
 
-#include <cstddef>
+#include <boost/property_map/property_map.hpp>
+
 #include <functional>
-#include <memory>
+#include <iterator>
+#include <type_traits>
+#include <utility>
 
-// The only place where named parameters are read; everything below sees plain structs.
+// The only place where named parameters and concurrency tags are read; everything below sees plain
+// values.
 
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
+/// Whether every parameter of a call is one of those with the given tags.
+template <typename NamedParameters, typename... Tags>
+struct Has_only : std::true_type // CGAL's end of the chain
+{};
+
+template <typename T, typename Tag, typename Base, typename... Tags>
+struct Has_only<Named_function_parameters<T, Tag, Base>, Tags...>
+  : std::bool_constant<(std::is_same<Tag, internal_np::all_default_t>::value ||
+                        (std::is_same<Tag, Tags>::value || ...)) &&
+                       Has_only<Base, Tags...>::value>
+{};
+
+/// The parameters that describe the input; normals are accepted, as a `Point_set_3` hands them over,
+/// and not used.
+template <typename NamedParameters, typename... Tags>
+using Has_only_input_and =
+  Has_only<NamedParameters, internal_np::point_t, internal_np::normal_t, internal_np::geom_traits_t,
+           internal_np::callback_t, Tags...>;
+
+/// Whether a type is a point in space.
+template <typename T, typename = void>
+struct Is_point_3 : std::false_type
+{};
+
+template <typename T>
+struct Is_point_3<T, std::void_t<decltype(std::declval<const T&>().x()),
+                                 decltype(std::declval<const T&>().y()),
+                                 decltype(std::declval<const T&>().z())>> : std::true_type
+{};
+
+template <typename PointRange>
+using Element_of = typename std::iterator_traits<decltype(
+  std::begin(std::declval<const PointRange&>()))>::value_type;
+
+/// The property map of a call: the one it names, or the identity.
+template <typename PointRange, typename NamedParameters>
+using Point_map_of = std::decay_t<typename internal_np::Lookup_named_param_def<
+  internal_np::point_t, NamedParameters,
+  Identity_property_map<const Element_of<PointRange>>>::type>;
+
+template <typename PointRange, typename NamedParameters>
+Point_map_of<PointRange, NamedParameters> point_map_of(const PointRange&, const NamedParameters& np)
+{
+  return parameters::choose_parameter<Point_map_of<PointRange, NamedParameters>>(
+    parameters::get_parameter(np, internal_np::point_map));
+}
+
+/// Whether that gives points.
+template <typename PointRange, typename NamedParameters>
+using Maps_to_points = Is_point_3<std::decay_t<
+  typename boost::property_traits<Point_map_of<PointRange, NamedParameters>>::value_type>>;
+
 /// The traits that a call with these parameters works with.
 template <typename PointRange, typename NamedParameters>
 using Geom_traits_of =
   typename Point_set_processing_3_np_helper<PointRange, NamedParameters>::Geom_traits;
+
+/// Whether a tag asks for all threads.
+template <typename ConcurrencyTag>
+constexpr Concurrency concurrency_of()
+{
+  constexpr bool parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!parallel, "Parallel_tag needs TBB: link the CMake target CGAL::TBB_support");
+#endif
+  return parallel ? Concurrency::parallel : Concurrency::sequential;
+}
 
 /// The callback, copied: a reference could outlive the temporary it was given as.
 template <typename NamedParameters>
@@ -35,54 +103,11 @@ Progress progress_of(const NamedParameters& np)
     parameters::get_parameter(np, internal_np::callback), std::function<bool(double)>()));
 }
 
-/// `number_of_iterations` is the bound if the parameters do not name one.
 template <typename NamedParameters>
-Projection_options projection_options(const NamedParameters& np, std::size_t number_of_iterations)
+bool is_single_component(const NamedParameters& np)
 {
-  Projection_options options;
-  options.maximum_iterations = static_cast<std::size_t>(parameters::choose_parameter(
-    parameters::get_parameter(np, internal_np::number_of_iterations), number_of_iterations));
-  return options;
-}
-
-template <typename NamedParameters>
-Published_projection_options published_projection_options(const NamedParameters& np)
-{
-  Published_projection_options options;
-  options.iterations = static_cast<std::size_t>(parameters::choose_parameter(
-    parameters::get_parameter(np, internal_np::number_of_iterations), options.iterations));
-  return options;
-}
-
-/// The options of the default method.
-template <typename NamedParameters>
-Surface_quotient_options default_method_options(const NamedParameters& np)
-{
-  // The centre of its medial ball is where a sample belongs. A step to the L1-median of what a
-  // kernel shows draws it to the inside of a bend, and the linking takes the median of a whole
-  // cross-section anyway: so there are none unless asked for.
-  return {projection_options(np, 0),
-          parameters::choose_parameter(
-            parameters::get_parameter(np, internal_np::single_component), false)};
-}
-
-template <typename NamedParameters>
-bool is_as_published(const NamedParameters& np)
-{
-  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::as_published),
-                                      false);
-}
-
-/// The default method or the published one.
-template <typename ConcurrencyTag, typename NamedParameters>
-std::unique_ptr<Skeletonization_stages> make_stages(const NamedParameters& np)
-{
-  if(!is_as_published(np))
-    return std::make_unique<Surface_quotient_stages<ConcurrencyTag>>(default_method_options(np));
-  const auto seed = parameters::choose_parameter(
-    parameters::get_parameter(np, internal_np::random_seed), 0u);
-  return std::make_unique<Published_stages<ConcurrencyTag>>(static_cast<unsigned int>(seed),
-                                                            published_projection_options(np));
+  return parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::single_component), false);
 }
 
 } // namespace internal

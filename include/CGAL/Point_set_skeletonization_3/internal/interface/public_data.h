@@ -7,68 +7,143 @@
 #include <CGAL/Curve_skeleton_3.h>
 #include <CGAL/Gaussian_mixture_3.h>
 #include <CGAL/Medial_sample_3.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/Normalization.h>
-#include <CGAL/Point_set_skeletonization_3/internal/interface/Skeletonization_stages.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/parallel_for.h>
-#include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Point_source.h>
+#include <CGAL/Point_set_skeletonization_3/internal/interface/plain_data.h>
+
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/adjacency_list.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-// Normalised internals to public data in the coordinates of the input, and back.
+// Plain data to public data structures of the user's kernel, and back.
 
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
+template <typename Point_3>
+Plain_point to_plain(const Point_3& p)
+{
+  return {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
+}
+
 template <typename GeomTraits>
-Gaussian_mixture_3<GeomTraits> public_mixture(const std::vector<Gaussians>& levels,
-                                              const Normalization& normalization)
+typename GeomTraits::Point_3 to_public(const Plain_point& p)
 {
   using FT = typename GeomTraits::FT;
+  return typename GeomTraits::Point_3(static_cast<FT>(p[0]), static_cast<FT>(p[1]),
+                                      static_cast<FT>(p[2]));
+}
+
+template <typename GeomTraits>
+Gaussian_component_3<GeomTraits> to_public(const Plain_gaussian& g)
+{
+  using FT = typename GeomTraits::FT;
+  Gaussian_component_3<GeomTraits> result{static_cast<FT>(g.weight),
+                                          to_public<GeomTraits>(g.mean), {}};
+  std::transform(g.covariance.begin(), g.covariance.end(), result.covariance.begin(),
+                 [](double x) { return static_cast<FT>(x); });
+  return result;
+}
+
+template <typename GeomTraits>
+Plain_gaussian to_plain(const Gaussian_component_3<GeomTraits>& g)
+{
+  Plain_gaussian result{CGAL::to_double(g.weight), to_plain(g.mean), {}};
+  std::transform(g.covariance.begin(), g.covariance.end(), result.covariance.begin(),
+                 [](const auto& x) { return CGAL::to_double(x); });
+  return result;
+}
+
+template <typename GeomTraits>
+Gaussian_mixture_3<GeomTraits> to_public(const Plain_mixture& mixture)
+{
   Gaussian_mixture_3<GeomTraits> result;
-  for(const Gaussians& level : levels) {
+  for(const std::vector<Plain_gaussian>& level : mixture.levels) {
     result.levels.emplace_back();
-    for(const Gaussian& g : level)
-      result.levels.back().push_back({static_cast<FT>(g.weight),
-                                      normalization.point<GeomTraits>(g.mean),
-                                      normalization.covariance<FT>(g.covariance)});
+    for(const Plain_gaussian& g : level)
+      result.levels.back().push_back(to_public<GeomTraits>(g));
   }
+  result.cell_size = static_cast<typename GeomTraits::FT>(mixture.cell_size);
   return result;
 }
 
 template <typename GeomTraits>
-Gaussians normalized_level(const std::vector<Gaussian_component_3<GeomTraits>>& level,
-                           const Normalization& normalization)
+Plain_mixture to_plain(const Gaussian_mixture_3<GeomTraits>& mixture)
 {
-  Gaussians result;
-  for(const auto& c : level)
-    result.push_back({static_cast<double>(c.weight),
-                      normalization.to_unit(Normalization::vector(c.mean)),
-                      normalization.unit_covariance(c.covariance)});
+  Plain_mixture result;
+  for(const auto& level : mixture.levels) {
+    result.levels.emplace_back();
+    for(const auto& g : level)
+      result.levels.back().push_back(to_plain(g));
+  }
+  result.cell_size = CGAL::to_double(mixture.cell_size);
   return result;
 }
 
 template <typename GeomTraits>
-std::vector<Medial_sample_3<GeomTraits>> public_samples(const std::vector<Sample>& samples,
-                                                        const Normalization& normalization)
+Medial_samples_3<GeomTraits> to_public(const Plain_samples& samples)
 {
   using FT = typename GeomTraits::FT;
-  const double scale = normalization.diagonal();
-  std::vector<Medial_sample_3<GeomTraits>> result;
-  for(const Sample& s : samples)
-    result.push_back({normalization.point<GeomTraits>(s.origin),
-                      normalization.point<GeomTraits>(s.position),
-                      static_cast<FT>(s.kernel_radius * scale), static_cast<FT>(s.radius * scale),
-                      s.frozen});
+  Medial_samples_3<GeomTraits> result;
+  for(const Plain_sample& s : samples.samples)
+    result.samples.push_back({to_public<GeomTraits>(s.patch), to_public<GeomTraits>(s.point),
+                              static_cast<FT>(s.radius)});
+  result.noise = static_cast<FT>(samples.noise);
+  for(const auto& [point, sample] : samples.surface)
+    result.surface.emplace_back(to_public<GeomTraits>(point), sample);
+  return result;
+}
+
+template <typename GeomTraits>
+Plain_samples to_plain(const Medial_samples_3<GeomTraits>& samples)
+{
+  Plain_samples result;
+  for(const auto& s : samples.samples)
+    result.samples.push_back({to_plain(s.patch), to_plain(s.point), CGAL::to_double(s.radius)});
+  result.noise = CGAL::to_double(samples.noise);
+  for(const auto& [point, sample] : samples.surface)
+    result.surface.emplace_back(to_plain(point), sample);
+  return result;
+}
+
+/// The points of a range through a property map. Refers to the range. Advances an iterator through it
+/// once: O(blocks) for random access, else O(n).
+template <typename PointRange, typename PointMap>
+Point_source point_source(const PointRange& points, const PointMap& map)
+{
+  using Iterator = decltype(std::begin(points));
+  Point_source result;
+  result.size = static_cast<std::size_t>(std::distance(std::begin(points), std::end(points)));
+  auto first = std::make_shared<std::vector<Iterator>>(); // of every block
+  auto item = std::begin(points);
+  for(std::size_t b = 0; b < result.number_of_blocks(); ++b) {
+    first->push_back(item);
+    std::advance(item, static_cast<std::ptrdiff_t>(result.size_of_block(b)));
+  }
+  const std::size_t size = result.size;
+  result.read = [first, map, size](std::size_t b, double* xyz) {
+    Iterator next = (*first)[b];
+    const std::size_t begin = b * Point_source::block_size;
+    const std::size_t end = (std::min)(size, begin + Point_source::block_size);
+    for(std::size_t i = begin; i < end; ++i, ++next) {
+      const auto& p = get(map, *next);
+      *xyz++ = CGAL::to_double(p.x());
+      *xyz++ = CGAL::to_double(p.y());
+      *xyz++ = CGAL::to_double(p.z());
+    }
+  };
   return result;
 }
 
@@ -85,74 +160,51 @@ struct Indices_of<Graph, std::void_t<decltype(boost::vertex_bundle_type<Graph>::
   using type = decltype(boost::vertex_bundle_type<Graph>::type::indices);
 };
 
-/// The points of every vertex, ascending. Of ten million points they are most of the memory: no more
-/// of it than they need, and what `stages` keep of points that are done is forgotten, unless `const`.
+/// The lists of the points of every vertex, by `fill(lists)`.
 /// \throws std::length_error if the points outnumber the values of an index
-template <typename ConcurrencyTag, typename Indices, typename Stages>
-std::vector<Indices> points_of_vertices(Stages& stages)
+template <typename Indices, typename Fill>
+std::vector<Indices> filled_indices(std::size_t points, std::size_t vertices, const Fill& fill)
 {
   using Index = typename Indices::value_type;
-  const std::size_t points = stages.number_of_points(), vertices = stages.graph.vertices.size();
-  constexpr auto greatest = static_cast<std::uintmax_t>(std::numeric_limits<Index>::max());
+  static_assert(std::is_integral<Index>::value, "the indices of a vertex must be integers");
+  constexpr auto greatest = static_cast<std::uintmax_t>((std::numeric_limits<Index>::max)());
   if(points > 0 && points - 1 > greatest)
     throw std::length_error("indices of " + std::to_string(points) +
                             " points do not fit into those of the skeleton's vertices, of which the "
                             "greatest is " + std::to_string(greatest) + "; use a wider type");
-  // The points are split into rounds, and these into parts: there is work for so many threads.
-  constexpr std::size_t rounds = 8, parts = 8;
-  const auto first = [&](std::size_t part) { return part * points / (rounds * parts); };
-  const auto for_each_point = [&](std::size_t part, const auto& visit) {
-    for(std::size_t p = first(part); p < first(part + 1); ++p)
-      if(const std::size_t v = stages.vertex_of_point(p); v != Skeletonization_stages::none)
-        visit(p, v);
-  };
-  // Where the next point of a part goes in the list of a vertex; at first the number of its points.
-  std::vector<std::vector<std::size_t>> place(rounds * parts + 1,
-                                              std::vector<std::size_t>(vertices, 0));
-  parallel_for<ConcurrencyTag>(rounds * parts, [&](std::size_t part) {
-    for_each_point(part, [&](std::size_t, std::size_t v) { ++place[part][v]; });
-  });
   std::vector<Indices> result(vertices);
-  for(std::size_t v = 0; v < vertices; ++v) {
-    std::size_t size = 0;
-    for(std::vector<std::size_t>& part : place)
-      size += std::exchange(part[v], size);
-    result[v].reserve(size);
-  }
-  for(std::size_t begin = 0, end = parts; end < place.size(); begin = end, end += parts) {
-    parallel_for<ConcurrencyTag>(vertices, [&](std::size_t v) { result[v].resize(place[end][v]); });
-    parallel_for<ConcurrencyTag>(parts, [&](std::size_t k) {
-      for_each_point(begin + k, [&](std::size_t p, std::size_t v) {
-        result[v][place[begin + k][v]++] = static_cast<Index>(p);
-      });
-    });
-    if constexpr(!std::is_const<Stages>::value)
-      stages.forget_points_below(first(end));
-  }
+  Index_lists lists;
+  lists.bytes_of_index = sizeof(Index);
+  lists.reserve = [&](std::size_t v, std::size_t capacity) { result[v].reserve(capacity); };
+  lists.resize = [&](std::size_t v, std::size_t size) -> void* {
+    result[v].resize(size);
+    return result[v].data();
+  };
+  fill(lists);
   return result;
 }
 
-/// Replaces `skeleton` by the result of the last stage. `stages` that are not `const` are used up.
-template <typename GeomTraits, typename ConcurrencyTag, typename Stages, typename SkeletonGraph>
-void set_public_skeleton(Stages& stages, const Normalization& normalization,
+/// Replaces `skeleton` by a public graph; `fill(lists)` fills the lists of the `points` of every vertex.
+template <typename GeomTraits, typename SkeletonGraph, typename Fill>
+void set_public_skeleton(const Plain_skeleton& plain, std::size_t points, const Fill& fill,
                          SkeletonGraph& skeleton)
 {
-  const Skeleton_graph& graph = stages.graph;
   using FT = typename GeomTraits::FT;
-  SkeletonGraph result(graph.vertices.size());
-  for(std::size_t v = 0; v < graph.vertices.size(); ++v) {
+  SkeletonGraph result(plain.vertices.size());
+  for(std::size_t v = 0; v < plain.vertices.size(); ++v) {
     auto& bundle = result[vertex(v, result)];
-    bundle.point = normalization.point<GeomTraits>(graph.vertices[v].position);
-    bundle.radius = static_cast<FT>(graph.vertices[v].radius * normalization.diagonal());
+    bundle.point = to_public<GeomTraits>(plain.vertices[v].point);
+    bundle.radius = static_cast<FT>(plain.vertices[v].radius);
   }
-  for(const Skeleton_graph::Edge& e : graph.edges)
+  for(const auto& e : plain.edges)
     add_edge(vertex(e.first, result), vertex(e.second, result), result);
   // BGL graphs are copied, so without the indices. These come before, as they may not fit.
   using Indices = typename Indices_of<SkeletonGraph>::type;
   if constexpr(std::is_void<Indices>::value)
     skeleton = result;
   else {
-    std::vector<Indices> indices = points_of_vertices<ConcurrencyTag, Indices>(stages);
+    std::vector<Indices> indices =
+      filled_indices<Indices>(points, plain.vertices.size(), fill);
     skeleton = result;
     for(std::size_t v = 0; v < indices.size(); ++v)
       skeleton[vertex(v, skeleton)].indices = std::move(indices[v]);

@@ -4,32 +4,31 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_SAMPLE_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_SAMPLE_H
 
-#include <CGAL/Medial_sample_3.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 
-#include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// A medial sample in normalised coordinates; see `Medial_sample_3`.
+/// Where a patch of the surface moved to in the middle of the shape.
 struct Sample
 {
-  Vector3 origin = Vector3::Zero();
   Vector3 position = Vector3::Zero();
-  double kernel_radius = 0;
-  double radius = 0;
-  bool frozen = false;
-  bool inside = false; ///< Known to be in the shape where it is.
+  double radius = 0; ///< Distance to the nearest patch that it sees from inside; 0 if it sees none.
 };
 
-/// How a projection ended.
-struct Projection_outcome
+using Samples = std::vector<Sample>; ///< One for every patch, in their order.
+
+inline std::vector<Vector3> positions_of(const Samples& samples)
 {
-  std::size_t iterations = 0;
-  Projection_stop_reason reason = Projection_stop_reason::empty;
-};
+  std::vector<Vector3> result;
+  result.reserve(samples.size());
+  for(const Sample& sample : samples)
+    result.push_back(sample.position);
+  return result;
+}
 
 } // namespace internal
 } // namespace Point_set_skeletonization_3

@@ -4,10 +4,13 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_MEDIAL_BALLS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_MEDIAL_BALLS_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
+
 #include <CGAL/Point_set_skeletonization_3/internal/core/Per_thread.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Packet_tree.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/parallel_for.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/facing.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/orient_patches.h>
 
 #include <algorithm>
@@ -19,46 +22,47 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Normals that enclose more than this angle (cosine -0.3: 107 degrees) face each other. Balls
-/// between such patches only are stable medial balls: a bump or noise on one side makes none.
-constexpr double facing_normals = -0.3;
+struct Medial_ball_options
+{
+  /// How much the radius may change over a way along the surface: thickness changes no faster. What
+  /// faces the tip of a limb is the body at its other end, not the tip's other side.
+  double slope = 0.5;
+};
 
 /// The balls between the patches whose orientation can be trusted.
 class Facing_balls
 {
 public:
-  /// `tree` is over the patches; it has to stay.
-  Facing_balls(const std::vector<Patch>& patches, const std::vector<double>& confidence,
-               const Box_tree& tree)
-    : order_(tree.order()), tree_(tree)
+  /// `tree` is over the patches.
+  Facing_balls(const Patches& patches, const std::vector<double>& confidence, const Box_tree& tree)
+    : box_tree_(tree), tree_(tree)
   {
-    const auto normal = [&](std::size_t i) -> Vector3 {
+    std::vector<Vector3> normals(patches.size(), Vector3::Zero()); // which faces nothing
+    for(std::size_t i = 0; i < patches.size(); ++i)
       if(confidence[i] >= trusted_orientation)
-        return patches[i].normal;
-      return Vector3::Zero(); // which faces nothing
-    };
-    for(const Box& box : tree.boxes_of(normal))
-      normal_boxes_.push_back({box.lower.cast<float>(), box.upper.cast<float>()});
+        normals[i] = patches[i].normal;
+    for(const Box_tree::Box& box : tree.boxes_of(normals))
+      normal_boxes_.push_back(box.cast<float>());
     for(std::size_t i : tree.order())
-      normals_.push_back(normal(i).cast<float>());
+      normals_.push_back(normals[i].cast<float>());
   }
 
   /// Radii of the balls that touch a patch from inside and a patch that faces it: of the three
   /// smallest the largest, so that two stray patches cannot make one. 0: nothing faces the patch.
-  template <typename ConcurrencyTag>
-  std::vector<double> radii() const
+  std::vector<double> radii(Concurrency concurrency) const
   {
-    std::vector<double> result(order_.size(), 0);
+    const std::vector<std::size_t>& order = box_tree_.order();
+    std::vector<double> result(order.size(), 0);
     constexpr std::size_t task_size = 16 * packet_size; // of patches next to each other
-    const std::size_t tasks = (order_.size() + task_size - 1) / task_size;
-    parallel_for<ConcurrencyTag>(tasks, [&](std::size_t task) {
+    const std::size_t tasks = (order.size() + task_size - 1) / task_size;
+    parallel_for(concurrency, tasks, [&](std::size_t task) {
       Leaves touched;
-      const std::size_t end = std::min(order_.size(), (task + 1) * task_size);
+      const std::size_t end = std::min(order.size(), (task + 1) * task_size);
       for(std::size_t first = task * task_size; first < end; first += packet_size) {
-        Row balls(*this, first);
+        Packet balls(*this, first);
         find_smallest(balls, touched);
         for(std::size_t k = 0; k < packet_size && first + k < end; ++k)
-          result[order_[first + k]] = balls.radius(k);
+          result[order[first + k]] = balls.radius(k);
       }
     });
     return result;
@@ -69,10 +73,10 @@ private:
   using Leaves = std::vector<std::pair<std::size_t, std::size_t>>;
 
   /// The smallest balls of patches next to each other.
-  class Row
+  class Packet
   {
   public:
-    Row(const Facing_balls& all, std::size_t first)
+    Packet(const Facing_balls& all, std::size_t first)
       : all_(all),
         mean_(packet_of([&](std::size_t k) { return all.tree_.positions()[all.bounded(first + k)]; })),
         normal_(packet_of([&](std::size_t k) { return all.normals_[all.bounded(first + k)]; }))
@@ -106,17 +110,19 @@ private:
       third_ = third_.max(second_rest);
     }
 
-    /// Whether one of the patches of a node may face one of the row and touch its balls.
+    /// Whether one of the patches of a node may face one of the packet and touch its balls.
     bool may_matter(std::size_t node) const
     {
-      const Packet_box &box = all_.tree_.boxes()[node], &normals = all_.normal_boxes_[node];
+      const Eigen::AlignedBox3f &box = all_.tree_.boxes()[node],
+                                &normals = all_.normal_boxes_[node];
+      const Eigen::Vector3f &least_normal = (normals.min)(), &most_normal = (normals.max)();
       const Packet_values cosine =
-        (normal_.x * normals.lower.x()).min(normal_.x * normals.upper.x()) +
-        (normal_.y * normals.lower.y()).min(normal_.y * normals.upper.y()) +
-        (normal_.z * normals.lower.z()).min(normal_.z * normals.upper.z());
+        (normal_.x * least_normal.x()).min(normal_.x * most_normal.x()) +
+        (normal_.y * least_normal.y()).min(normal_.y * most_normal.y()) +
+        (normal_.z * least_normal.z()).min(normal_.z * most_normal.z());
       // Of the points of the box the one with the least power to the largest ball.
       const Packet_values radius = 1 / third_.max(least);
-      const Packet_vectors lower = mean_.to(box.lower), upper = mean_.to(box.upper);
+      const Packet_vectors lower = mean_.to((box.min)()), upper = mean_.to((box.max)());
       const Packet_vectors d{(-radius * normal_.x).max(lower.x).min(upper.x),
                           (-radius * normal_.y).max(lower.y).min(upper.y),
                           (-radius * normal_.z).max(lower.z).min(upper.z)};
@@ -125,7 +131,7 @@ private:
     }
 
   private:
-    static constexpr auto facing = static_cast<float>(facing_normals);
+    static constexpr auto facing = static_cast<float>(opposite_normals);
     static constexpr float least = 1e-20f; // instead of 0
 
     const Facing_balls& all_;
@@ -134,9 +140,9 @@ private:
     Packet_values first_ = Packet_values::Zero(), second_ = Packet_values::Zero(), third_ = Packet_values::Zero();
   };
 
-  /// Finds the smallest balls of a row. Begins with the leaves that those of the row before touch, and
+  /// Finds the smallest balls of a packet. Begins with the leaves that those of the packet before touch, and
   /// leaves behind which ones they do.
-  void find_smallest(Row& balls, Leaves& touched) const
+  void find_smallest(Packet& balls, Leaves& touched) const
   {
     constexpr std::size_t most = 8; // leaves, all around a limb
     const Leaves likely = std::exchange(touched, {});
@@ -154,15 +160,15 @@ private:
       touched.erase(touched.begin(), touched.end() - most);
   }
 
-  std::size_t bounded(std::size_t place) const { return std::min(place, order_.size() - 1); }
+  std::size_t bounded(std::size_t place) const { return std::min(place, box_tree_.order().size() - 1); }
 
-  const std::vector<std::size_t>& order_;
+  Box_tree box_tree_;
   Packet_tree tree_;
-  std::vector<Packet_box> normal_boxes_; ///< Of every node of the tree.
+  std::vector<Eigen::AlignedBox3f> normal_boxes_; ///< Of every node of the tree.
   std::vector<Eigen::Vector3f> normals_; ///< In the order of the tree; 0 if not to be trusted.
 };
 
-/// The median of a dozen values, by counting for every one how many are less: in a row that is faster
+/// The median of a dozen values, by counting for every one how many are less: one after the other that is faster
 /// than to sort, where no processor can guess which of two is. \pre there is one
 inline double median_of_few(const std::vector<double>& values)
 {
@@ -180,13 +186,12 @@ inline double median_of_few(const std::vector<double>& values)
 }
 
 /// One pass of a median filter over the neighbours on the surface that have a value (> 0).
-template <typename ConcurrencyTag>
-std::vector<double> median_filtered(const std::vector<double>& values,
-                                    const std::vector<Patch>& patches)
+inline std::vector<double> median_filtered(const std::vector<double>& values,
+                                           const Patches& patches, Concurrency concurrency)
 {
   std::vector<double> result = values;
-  Per_thread<ConcurrencyTag, std::vector<double>> buffers([] { return std::vector<double>(); });
-  parallel_for<ConcurrencyTag>(patches.size(), [&](std::size_t i) {
+  Per_thread<std::vector<double>> buffers(concurrency, [] { return std::vector<double>(); });
+  parallel_for(concurrency, patches.size(), [&](std::size_t i) {
     std::vector<double>& known = buffers.local();
     known.clear();
     if(values[i] > 0)
@@ -200,11 +205,10 @@ std::vector<double> median_filtered(const std::vector<double>& values,
   return result;
 }
 
-/// Bounds every value by those of the patches around it plus half of the way there: thickness changes
-/// no faster. What faces the tip of a limb is the body at its other end, not the tip's other side.
-inline void limit_slope(std::vector<double>& values, const std::vector<Patch>& patches)
+/// Bounds every value by those of the patches around it plus a share of the way there. Patches without a
+/// value (> 0) get one.
+inline void limit_slope(std::vector<double>& values, const Patches& patches, double slope)
 {
-  constexpr double slope = 0.5;
   std::vector<std::size_t> queue; // in any order: it ends with the same values
   std::vector<bool> waits(values.size(), true);
   for(std::size_t i = 0; i < values.size(); ++i)
@@ -231,14 +235,16 @@ inline void limit_slope(std::vector<double>& values, const std::vector<Patch>& p
 /// the relative error is that of the patches over the thickness. Three passes of a median filter
 /// remove what is left of outliers, and patches without a ball get that of their surroundings; 0 where
 /// there is none at all. `tree` is over the patches.
-template <typename ConcurrencyTag>
-std::vector<double> medial_ball_radii(const std::vector<Patch>& patches,
-                                      const std::vector<double>& confidence, const Box_tree& tree)
+inline std::vector<double> medial_ball_radii(const Patches& patches,
+                                             const std::vector<double>& confidence,
+                                             const Box_tree& tree,
+                                             const Medial_ball_options& options,
+                                             Concurrency concurrency)
 {
-  std::vector<double> radii = Facing_balls(patches, confidence, tree).radii<ConcurrencyTag>();
+  std::vector<double> radii = Facing_balls(patches, confidence, tree).radii(concurrency);
   for(int pass = 0; pass < 3; ++pass)
-    radii = median_filtered<ConcurrencyTag>(radii, patches);
-  limit_slope(radii, patches);
+    radii = median_filtered(radii, patches, concurrency);
+  limit_slope(radii, patches, options.slope);
   return radii;
 }
 

@@ -5,13 +5,16 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MIXTURE_GRID_MIXTURE_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
-#include <CGAL/Point_set_skeletonization_3/internal/mixture/Occupied_cells.h>
-#include <CGAL/Point_set_skeletonization_3/internal/mixture/Point_source.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Moments.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Normalized_points.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Cell_set.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Cubic_grid.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/parallel_for.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Moment_grid.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Occupied_cells.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/tags.h>
 
 #include <boost/interprocess/anonymous_shared_memory.hpp>
 #include <boost/interprocess/mapped_region.hpp>
@@ -57,151 +60,6 @@ struct Grid_options
   }
 };
 
-/// The points of a cell: their number and their first and second moments about its centre.
-class Cell_moments
-{
-public:
-  /// Adds a point that lies `d` from the centre.
-  void add(const Vector3& d)
-  {
-    weight_ += 1;
-    first_ += d;
-    second_.add_product(d, d);
-  }
-
-  /// Adds the points of a cell whose centre lies `d` from this one's.
-  void add(const Cell_moments& other, const Vector3& d)
-  {
-    const Vector3 first = other.first_ + other.weight_ * d;
-    second_.add(1, other.second_.matrix());
-    second_.add_product(d, other.first_);
-    second_.add_product(first, d);
-    weight_ += other.weight_;
-    first_ += first;
-  }
-
-  double weight() const { return weight_; }
-
-  /// \pre there is a point
-  Gaussian gaussian(const Vector3& center) const
-  {
-    const Vector3 d = first_ / weight_;
-    return {weight_, center + d, second_.matrix() / weight_ - d * d.transpose()};
-  }
-
-private:
-  double weight_ = 0;
-  Vector3 first_ = Vector3::Zero();
-  Symmetric_sum second_;
-};
-
-/// The moments of the points in the cells of a grid.
-class Moment_cells
-{
-public:
-  Moment_cells() = default;
-
-  /// Numbers different cells as they come; there is nothing in them.
-  explicit Moment_cells(const std::vector<std::uint64_t>& cells)
-    : index_(cells.size()), moments_(cells.size())
-  {
-    for(std::uint64_t cell : cells)
-      index_.insert(cell);
-  }
-
-  std::size_t size() const { return index_.size(); }
-
-  /// The place of a cell and its moments in the following. \pre it is one of them
-  std::size_t number(const Grid_cell& cell) const { return index_[packed(cell)]; }
-
-  /// The cells, packed, and their moments, in the same order.
-  const std::vector<std::uint64_t>& cells() const { return index_.cells(); }
-  const std::vector<Cell_moments>& moments() const { return moments_; }
-
-  void add(const Cubic_grid& grid, const Grid_cell& cell, const Vector3& p)
-  {
-    moments_[inserted(cell)].add(p - grid.center(cell));
-  }
-
-  /// Adds moments about the same centres, in the same order.
-  void add(const std::vector<Cell_moments>& others)
-  {
-    for(std::size_t i = 0; i < others.size(); ++i)
-      moments_[i].add(others[i], Vector3::Zero());
-  }
-
-  /// Adds the moments in `fine`, which is as fine as the grid of this one or finer; which is exact.
-  void add(const Cubic_grid& grid, const Moment_cells& other, const Cubic_grid& fine)
-  {
-    const Cell_around around = grid.around(fine);
-    for(std::size_t i = 0; i < other.size(); ++i) {
-      const Grid_cell part = unpacked(other.cells()[i]), cell = around(part);
-      moments_[inserted(cell)].add(other.moments_[i], fine.center(part) - grid.center(cell));
-    }
-  }
-
-private:
-  /// The number of a cell, which may be new.
-  std::size_t inserted(const Grid_cell& cell)
-  {
-    const std::size_t i = index_.insert(packed(cell));
-    if(i == moments_.size())
-      moments_.emplace_back();
-    return i;
-  }
-
-  Cell_index index_;
-  std::vector<Cell_moments> moments_;
-};
-
-/// The moments of points in the cells of the finest cubic grid that has no more than a bounded number
-/// of them; it depends on the set of points only. Grids of parts of the points add up to the grid of
-/// all.
-class Moment_grid
-{
-public:
-  explicit Moment_grid(std::size_t maximum_cells) : maximum_cells_(maximum_cells) {}
-
-  const Cubic_grid& grid() const { return grid_; }
-  const Moment_cells& cells() const { return cells_; }
-
-  void add(const Vector3& p)
-  {
-    cells_.add(grid_, cell_of_(p), p);
-    limit();
-  }
-
-  void add(const Moment_grid& other)
-  {
-    coarsen_to(std::min(grid_.level, other.grid_.level));
-    cells_.add(grid_, other.cells_, other.grid_);
-    limit();
-  }
-
-private:
-  /// The cells around the origin stay apart however wide they are, and there are no more than eight.
-  void limit()
-  {
-    while(cells_.size() > maximum_cells_)
-      coarsen_to(grid_.level - 1);
-  }
-
-  void coarsen_to(int level)
-  {
-    if(level == grid_.level)
-      return;
-    const Cubic_grid fine = std::exchange(grid_, {level, 1});
-    const Moment_cells fine_cells = std::exchange(cells_, Moment_cells());
-    cells_.add(grid_, fine_cells, fine);
-    cell_of_ = Cell_of_point(grid_);
-  }
-
-  std::size_t maximum_cells_;
-  Cubic_grid grid_;
-  Cell_of_point cell_of_{grid_};
-  Moment_cells cells_;
-};
-
 /// A level of a grid mixture: its cells, in ascending order, and the moments of their points.
 struct Grid_level
 {
@@ -228,13 +86,12 @@ inline Grid_level empty_level(const Cubic_grid& grid, const Cell_set& set)
 
 /// The finest level, without moments, with at most `wanted` cells around fine ones: the wider cells
 /// are, the fewer.
-template <typename ConcurrencyTag>
-Grid_level patch_level(const std::vector<std::uint64_t>& cells, const Cubic_grid& fine,
-                       std::size_t wanted)
+inline Grid_level patch_level(const std::vector<std::uint64_t>& cells, const Cubic_grid& fine,
+                              std::size_t wanted, Concurrency concurrency)
 {
   Cell_set found; // so far
   const auto are_few = [&](std::int32_t factor) {
-    Cell_set around = cells_around<ConcurrencyTag>(cells, Cell_around(factor), wanted);
+    Cell_set around = cells_around(cells, Cell_around(factor), wanted, concurrency);
     if(around.size() > wanted)
       return false;
     found = std::move(around);
@@ -264,8 +121,8 @@ Grid_level patch_level(const std::vector<std::uint64_t>& cells, const Cubic_grid
 inline Grid_level coarser_level(const Cubic_grid& grid, const Moment_cells& cells,
                                 const Cubic_grid& fine)
 {
-  Grid_level result =
-    empty_level(grid, cells_around<Sequential_tag>(cells.cells(), grid.around(fine)));
+  Grid_level result = empty_level(
+    grid, cells_around(cells.cells(), grid.around(fine), cells.size(), Concurrency::sequential));
   result.cells.add(grid, cells, fine);
   return result;
 }
@@ -312,25 +169,27 @@ private:
 };
 
 /// Adds the points to the cells of `level`, and tells the cell of every point.
-template <typename ConcurrencyTag>
-Cells_of_points add_points(const Point_blocks& points, Grid_level& level)
+inline Cells_of_points add_points(const Normalized_points& points, Grid_level& level,
+                                  Concurrency concurrency, const Progress& progress)
 {
   // The moments of parts are added up in order: the bits do not depend on the number of threads.
   constexpr std::size_t worth_a_part = 1 << 15; // several times as many points as cells
-  std::vector<std::vector<Cell_moments>> parts(
+  std::vector<std::vector<Moments>> parts(
     std::min(cloud_parts, 1 + points.size() / worth_a_part));
   Cells_of_points cell_of_point(points.size());
   const Cell_of_point cell_of(level.grid);
-  parallel_for<ConcurrencyTag>(parts.size(), [&](std::size_t k) {
-    parts[k].resize(level.cells.size());
-    points.visit_part(k, parts.size(), [&](std::size_t i, const Vector3& p) {
+  for(std::vector<Moments>& part : parts)
+    part.resize(level.cells.size());
+  points.visit_parts(
+    parts.size(),
+    [&](std::size_t k, std::size_t i, const Vector3& p) {
       const Grid_cell cell = cell_of(p);
       const std::size_t number = level.cells.number(cell);
-      parts[k][number].add(p - level.grid.center(cell));
+      parts[k][number].add(1, p - level.grid.center(cell));
       cell_of_point[i] = static_cast<std::uint16_t>(number);
-    });
-  });
-  for(const std::vector<Cell_moments>& part : parts)
+    },
+    concurrency, progress);
+  for(const std::vector<Moments>& part : parts)
     level.cells.add(part);
   return cell_of_point;
 }
@@ -356,36 +215,36 @@ struct Grid_mixture
 };
 
 /// The mixture of `points`, which are read twice: for the width of the cells and for their moments.
-template <typename ConcurrencyTag>
-Grid_mixture grid_moments(const Point_blocks& points, const Grid_options& options,
-                          std::size_t number_of_levels)
+inline Grid_mixture grid_mixture(const Normalized_points& points, const Grid_options& options,
+                                 std::size_t number_of_levels, Concurrency concurrency,
+                                 const Progress& progress = Progress())
 {
   options.check();
   Grid_mixture result;
   if(points.size() == 0)
     return result;
-  const Fine_cells fine = fine_cells<ConcurrencyTag>(points, options.maximum_fine_cells());
+  const Fine_cells fine = fine_cells(points, options.maximum_fine_cells(), concurrency, progress.part(0, 0.5));
   result.levels.push_back(
-    patch_level<ConcurrencyTag>(fine.cells, fine.grid, options.patches(points.size())));
-  result.cell_of_point = add_points<ConcurrencyTag>(points, result.levels.front());
+    patch_level(fine.cells, fine.grid, options.patches(points.size()), concurrency));
+  result.cell_of_point = add_points(points, result.levels.front(), concurrency, progress.part(0.5, 1));
   result.add_coarser_levels(number_of_levels);
   return result;
 }
 
 /// The mixture of points that were streamed.
-inline Grid_mixture grid_moments(const Moment_grid& fine, const Grid_options& options,
+inline Grid_mixture grid_mixture(const Moment_grid& fine, const Grid_options& options,
                                  std::size_t number_of_levels)
 {
   options.check();
   double points = 0; // exact
-  for(const Cell_moments& moments : fine.cells().moments())
+  for(const Moments& moments : fine.cells().moments())
     points += moments.weight();
   Grid_mixture result;
   if(!(points > 0))
     return result;
   result.levels.push_back(
-    patch_level<Sequential_tag>(fine.cells().cells(), fine.grid(),
-                                options.patches(static_cast<std::size_t>(points))));
+    patch_level(fine.cells().cells(), fine.grid(),
+                options.patches(static_cast<std::size_t>(points)), Concurrency::sequential));
   Grid_level& finest = result.levels.back();
   finest.cells.add(finest.grid, fine.cells(), fine.grid());
   result.add_coarser_levels(number_of_levels);

@@ -4,14 +4,16 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MIXTURE_OCCUPIED_CELLS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MIXTURE_OCCUPIED_CELLS_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/mixture/Point_source.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Normalized_points.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Per_thread.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Cell_set.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Cubic_grid.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/parallel_for.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -60,7 +62,7 @@ public:
 private:
   void limit()
   {
-    while(cells_.blocks() > maximum_blocks_)
+    while(cells_.number_of_blocks() > maximum_blocks_)
       coarsen();
   }
 
@@ -71,7 +73,7 @@ private:
 };
 
 /// The level that the fine grid of a cloud probably has, as some of the points tell.
-inline int probable_level(const Point_blocks& points, std::size_t maximum_cells)
+inline int probable_level(const Normalized_points& points, std::size_t maximum_cells)
 {
   constexpr int coarse_level = 8; // far coarser than the fine grid of so many points
   constexpr std::size_t blocks = 64;
@@ -95,29 +97,31 @@ inline int probable_level(const Point_blocks& points, std::size_t maximum_cells)
 
 /// The occupied cells of a cloud, read at a level; in the end a coarser one, if there are more than
 /// `maximum_cells`.
-template <typename ConcurrencyTag>
-Occupied_cells occupied_cells(const Point_blocks& points, int level, std::size_t maximum_cells)
+inline Occupied_cells occupied_cells(const Normalized_points& points, int level,
+                                     std::size_t maximum_cells, Concurrency concurrency,
+                                     const Progress& progress)
 {
-  Occupied_cells result = parallel_sum<ConcurrencyTag>(
-    points.number_of_blocks(), Occupied_cells(level, maximum_cells),
+  Occupied_cells result = parallel_sum(
+    concurrency, points.number_of_blocks(), Occupied_cells(level, maximum_cells),
     [&](std::size_t b, Occupied_cells& cells) {
       for(const Vector3& p : points.block(b))
         cells.add(p);
-    });
+    },
+    progress);
   while(result.cells().size() > maximum_cells)
     result.coarsen();
   return result;
 }
 
 /// The occupied cells of a cloud in the finest cubic grid that has no more than `maximum_cells`.
-template <typename ConcurrencyTag>
-Occupied_cells occupied_cells(const Point_blocks& points, std::size_t maximum_cells)
+inline Occupied_cells occupied_cells(const Normalized_points& points, std::size_t maximum_cells,
+                                     Concurrency concurrency, const Progress& progress)
 {
   int level = finest_level;
   if(points.size() > maximum_cells)
     level = std::min(level, probable_level(points, maximum_cells) + 1);
   for(;; ++level) {
-    Occupied_cells result = occupied_cells<ConcurrencyTag>(points, level, maximum_cells);
+    Occupied_cells result = occupied_cells(points, level, maximum_cells, concurrency, progress);
     if(level == finest_level || result.grid().level < level) // else a finer one may do
       return result;
   }
@@ -131,18 +135,18 @@ struct Fine_cells
 };
 
 /// The occupied cells of a cloud in the finest cubic grid that has no more than `maximum_cells`.
-template <typename ConcurrencyTag>
-Fine_cells fine_cells(const Point_blocks& points, std::size_t maximum_cells)
+inline Fine_cells fine_cells(const Normalized_points& points, std::size_t maximum_cells,
+                             Concurrency concurrency, const Progress& progress)
 {
   if(points.size() > maximum_cells) {
-    const auto occupied = occupied_cells<ConcurrencyTag>(points, maximum_cells);
+    const Occupied_cells occupied = occupied_cells(points, maximum_cells, concurrency, progress);
     return {occupied.grid(), occupied.cells().cells()};
   }
   Fine_cells result; // one for every point: there is no need to know which are the same
   result.cells.resize(points.size());
   const Cell_of_point cell_of(result.grid);
-  parallel_for<ConcurrencyTag>(points.number_of_blocks(), [&](std::size_t b) {
-    std::size_t i = b * Point_blocks::block_size;
+  parallel_for(concurrency, points.number_of_blocks(), [&](std::size_t b) {
+    std::size_t i = b * Point_source::block_size;
     for(const Vector3& p : points.block(b))
       result.cells[i++] = packed(cell_of(p));
   });
@@ -150,13 +154,12 @@ Fine_cells fine_cells(const Point_blocks& points, std::size_t maximum_cells)
 }
 
 /// The cells that `around` finds around packed ones; of more than `most` some may be missing.
-template <typename ConcurrencyTag>
-Cell_set cells_around(const std::vector<std::uint64_t>& cells, const Cell_around& around,
-                      std::size_t most = std::numeric_limits<std::size_t>::max())
+inline Cell_set cells_around(const std::vector<std::uint64_t>& cells, const Cell_around& around,
+                             std::size_t most, Concurrency concurrency)
 {
   constexpr std::size_t block = 1 << 10;
-  return parallel_sum<ConcurrencyTag>(
-    (cells.size() + block - 1) / block, Cell_set(), [&](std::size_t b, Cell_set& found) {
+  return parallel_sum(
+    concurrency, (cells.size() + block - 1) / block, Cell_set(), [&](std::size_t b, Cell_set& found) {
       const std::size_t end = std::min(cells.size(), (b + 1) * block);
       for(std::size_t i = b * block; i < end && found.size() <= most; ++i)
         found.insert(around(unpacked(cells[i])));

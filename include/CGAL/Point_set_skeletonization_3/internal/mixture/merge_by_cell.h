@@ -5,10 +5,12 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MIXTURE_MERGE_BY_CELL_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Moments.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -16,21 +18,21 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Positions sorted into the occupied cells of a cubic grid.
+/// Gaussians sorted into the occupied cells of a cubic grid.
 struct Grid_cells
 {
-  std::vector<std::size_t> cell_of; ///< The cell of every position.
+  std::vector<std::size_t> cell_of; ///< The cell of every Gaussian.
   std::size_t size = 0;             ///< Number of cells; they are numbered in lexicographic order.
 };
 
-/// Sorts `size` positions into cells of the given edge length; `position(i)` gives the `i`-th.
-template <typename Position>
-Grid_cells grid_cells(std::size_t size, const Position& position, double cell_size)
+/// Sorts the means of Gaussians into cells of the given edge length.
+inline Grid_cells grid_cells(const Gaussians& gaussians, double cell_size)
 {
+  const std::size_t size = gaussians.size();
   std::vector<std::pair<std::array<double, 3>, std::size_t>> order;
   order.reserve(size);
   for(std::size_t i = 0; i < size; ++i) {
-    const Vector3 cell = (position(i) / cell_size).array().floor();
+    const Vector3 cell = (gaussians[i].mean / cell_size).array().floor();
     order.push_back({{{cell.x(), cell.y(), cell.z()}}, i});
   }
   std::sort(order.begin(), order.end());
@@ -44,23 +46,35 @@ Grid_cells grid_cells(std::size_t size, const Position& position, double cell_si
   return result;
 }
 
-/// Merges the Gaussians that share a cell; moments merge exactly.
-inline Gaussians coarsened(const Gaussians& fine, double cell_size)
+/// Merged Gaussians, and which of them each one went into.
+struct Merged_gaussians
 {
-  const Grid_cells cells =
-    grid_cells(fine.size(), [&](std::size_t i) { return fine[i].mean; }, cell_size);
-  std::vector<Moments> moments(cells.size, Moments(Vector3::Zero()));
-  std::vector<bool> begun(cells.size, false);
+  Gaussians gaussians;
+  std::vector<std::size_t> merged_into;
+};
+
+/// Merges the Gaussians whose means share a cell of a cubic grid; moments merge exactly. None are merged
+/// if the size of the cells is 0. O(n log n).
+inline Merged_gaussians merged_by_cell(const Gaussians& fine, double cell_size)
+{
+  if(!(cell_size > 0)) {
+    Merged_gaussians same{fine, std::vector<std::size_t>(fine.size())};
+    std::iota(same.merged_into.begin(), same.merged_into.end(), std::size_t(0));
+    return same;
+  }
+  const Grid_cells cells = grid_cells(fine, cell_size);
+  std::vector<Moments> moments(cells.size); // about the first mean of every cell
+  std::vector<Vector3> first(cells.size);
   for(std::size_t i = 0; i < fine.size(); ++i) {
     const std::size_t c = cells.cell_of[i];
-    if(!begun[c])
-      moments[c] = Moments(fine[i].mean);
-    begun[c] = true;
-    moments[c].add(fine[i]);
+    if(!(moments[c].weight() > 0))
+      first[c] = fine[i].mean;
+    moments[c].add(fine[i].weight, fine[i].mean - first[c], fine[i].covariance);
   }
-  Gaussians result;
-  for(const Moments& m : moments)
-    result.push_back(m.gaussian());
+  Merged_gaussians result;
+  for(std::size_t c = 0; c < cells.size; ++c)
+    result.gaussians.push_back(moments[c].gaussian(first[c]));
+  result.merged_into = cells.cell_of;
   return result;
 }
 

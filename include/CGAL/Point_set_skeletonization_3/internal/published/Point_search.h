@@ -4,7 +4,9 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_POINT_SEARCH_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_POINT_SEARCH_H
 
+
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Neighbor.h>
 
 #include <CGAL/Euclidean_distance.h>
 #include <CGAL/Fuzzy_sphere.h>
@@ -14,7 +16,6 @@
 #include <CGAL/Search_traits_adapter.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Splitters.h>
-#include <CGAL/tags.h>
 
 #include <boost/iterator/counting_iterator.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -58,32 +59,17 @@ class Point_search
   static Point to_point(const Vector3& v) { return Point(v.x(), v.y(), v.z()); }
 
 public:
-  /// A neighbour and its squared distance to the query.
-  struct Neighbor
-  {
-    double squared_distance;
-    std::size_t index;
-    bool operator<(const Neighbor& other) const
-    {
-      return squared_distance != other.squared_distance ? squared_distance < other.squared_distance
-                                                        : index < other.index;
-    }
-  };
-
-  /// Indexes `size` points, concurrently under `Parallel_tag`; `position(i)` gives the `i`-th as a
-  /// `Vector3`.
-  template <typename Position, typename ConcurrencyTag = Sequential_tag>
-  Point_search(std::size_t size, const Position& position, ConcurrencyTag = ConcurrencyTag())
+  explicit Point_search(const std::vector<Vector3>& points)
     : tree_(boost::counting_iterator<std::size_t>(0), boost::counting_iterator<std::size_t>(0),
             Splitter(), Traits(Index_point_map{&points_}))
   {
-    points_.reserve(size);
-    for(std::size_t i = 0; i < size; ++i)
-      points_.push_back(to_point(position(i)));
+    points_.reserve(points.size());
+    for(const Vector3& p : points)
+      points_.push_back(to_point(p));
     tree_.insert(boost::counting_iterator<std::size_t>(0),
-                 boost::counting_iterator<std::size_t>(size));
-    if(size > 0)
-      tree_.template build<ConcurrencyTag>();
+                 boost::counting_iterator<std::size_t>(points.size()));
+    if(!points.empty())
+      tree_.build();
   }
 
   Point_search(const Point_search&) = delete;

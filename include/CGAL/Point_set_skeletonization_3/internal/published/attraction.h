@@ -4,9 +4,9 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_ATTRACTION_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_ATTRACTION_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 
-#include <Eigen/Eigenvalues>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/principal_axes.h>
 
 #include <algorithm>
 #include <array>
@@ -59,10 +59,9 @@ class Attractor
 public:
   explicit Attractor(const Gaussian& g) : weight_(g.weight), mean_(g.mean)
   {
-    Eigen::SelfAdjointEigenSolver<Matrix3> solver;
-    solver.computeDirect(g.covariance);
-    axes_ = solver.eigenvectors();
-    variance_ = solver.eigenvalues().cwiseMax(0);
+    const Principal_axes axes = principal_axes(g.covariance);
+    axes_ = axes.directions;
+    variance_ = axes.variances;
   }
 
   const Vector3& mean() const { return mean_; }

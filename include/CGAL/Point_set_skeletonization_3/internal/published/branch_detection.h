@@ -4,7 +4,9 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_BRANCH_DETECTION_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_BRANCH_DETECTION_H
 
+
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/quantile.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/gaussian_functions.h>
 
@@ -135,9 +137,7 @@ private:
     }
     if(distances.empty())
       return 0;
-    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-    std::nth_element(distances.begin(), middle, distances.end());
-    return *middle;
+    return quantile(std::move(distances), 0.5);
   }
 
   /// The closest pair of free components. Distances to the nearest free component only grow, so an

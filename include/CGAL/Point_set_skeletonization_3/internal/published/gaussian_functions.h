@@ -4,10 +4,11 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_GAUSSIAN_FUNCTIONS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_GAUSSIAN_FUNCTIONS_H
 
+
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/principal_axes.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -84,9 +85,7 @@ inline double trace_of_product(const Matrix3& a, const Matrix3& b)
 /// Standard deviation along the longest axis.
 inline double largest_deviation(const Matrix3& covariance)
 {
-  Eigen::SelfAdjointEigenSolver<Matrix3> solver;
-  solver.computeDirect(covariance, Eigen::EigenvaluesOnly);
-  return std::sqrt((std::max)(solver.eigenvalues()[2], 0.0));
+  return std::sqrt(principal_axes(covariance).variances[2]);
 }
 
 /// The squares of the distances d_M, the smaller one of the two Mahalanobis distances of the means

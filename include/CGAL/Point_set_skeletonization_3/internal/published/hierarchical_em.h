@@ -4,10 +4,12 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_HIERARCHICAL_EM_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_HIERARCHICAL_EM_H
 
+
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Moments.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/Point_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/gaussian_functions.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/parallel_for.h>
 
 #include <CGAL/assertions.h>
 
@@ -95,10 +97,11 @@ inline Gaussians sorted_and_merged(Gaussians mixture)
       result.push_back(mixture[begin]); // bit by bit
       continue;
     }
-    Moments moments(mixture[begin].mean);
+    const Vector3 origin = mixture[begin].mean;
+    Moments moments;
     for(std::size_t i = begin; i < end; ++i)
-      moments.add(mixture[i]);
-    result.push_back(moments.gaussian());
+      moments.add(mixture[i].weight, mixture[i].mean - origin, mixture[i].covariance);
+    result.push_back(moments.gaussian(origin));
   }
   return result;
 }
@@ -125,12 +128,11 @@ public:
     is_claimed_.assign(children_.size(), false);
   }
 
-  template <typename ConcurrencyTag>
-  Gaussians run()
+  Gaussians run(Concurrency concurrency)
   {
-    claim_children<ConcurrencyTag>();
+    claim_children(concurrency);
     compute_responsibilities();
-    Gaussians coarse = merged_families<ConcurrencyTag>();
+    Gaussians coarse = merged_families(concurrency);
     for(std::size_t c = 0; c < children_.size(); ++c)
       if(!is_claimed_[c])
         coarse.push_back(children_[c]);
@@ -138,16 +140,14 @@ public:
   }
 
 private:
-  template <typename ConcurrencyTag>
-  void claim_children()
+  void claim_children(Concurrency concurrency)
   {
-    const Point_search search(
-      children_.size(), [&](std::size_t c) -> const Vector3& { return children_[c].mean; });
+    const Point_search search(means_of(children_));
     log_determinants_.resize(children_.size());
-    parallel_for<ConcurrencyTag>(children_.size(), [&](std::size_t c) {
+    parallel_for(concurrency, children_.size(), [&](std::size_t c) {
       log_determinants_[c] = Precision(children_[c].covariance).log_determinant();
     });
-    parallel_for<ConcurrencyTag>(parents_.size(), [&](std::size_t p) {
+    parallel_for(concurrency, parents_.size(), [&](std::size_t p) {
       std::vector<std::size_t> near;
       const double reach = alpha_ * largest_deviation(parents_[p].covariance);
       search.within(parents_[p].mean, reach, near);
@@ -205,18 +205,19 @@ private:
   }
 
   /// Every parent with its shares of its children, by their moments about the parent's mean.
-  template <typename ConcurrencyTag>
-  Gaussians merged_families() const
+  Gaussians merged_families(Concurrency concurrency) const
   {
     Gaussians result(parents_.size());
-    parallel_for<ConcurrencyTag>(parents_.size(), [&](std::size_t p) {
-      Moments moments(parents_[p].mean);
-      moments.add(parents_[p]);
+    parallel_for(concurrency, parents_.size(), [&](std::size_t p) {
+      const Gaussian& parent = parents_[p];
+      Moments moments; // about the parent's mean
+      moments.add(parent.weight, Vector3::Zero(), parent.covariance);
       for(const Claim& claim : claims_[p]) {
         const Gaussian& child = children_[claim.child];
-        moments.add(claim.responsibility * child.weight, child);
+        moments.add(claim.responsibility * child.weight, child.mean - parent.mean,
+                    child.covariance);
       }
-      result[p] = moments.gaussian();
+      result[p] = moments.gaussian(parent.mean);
     });
     return result;
   }
@@ -238,23 +239,22 @@ private:
 ///
 /// \param fine positive weights, positive definite covariances, normalised coordinates
 /// \param level tells the random choices of the levels apart
-template <typename ConcurrencyTag>
-Gaussians coarser_level(const Gaussians& fine, const Hierarchical_em_options& options,
-                        std::size_t level)
+inline Gaussians coarser_em_level(const Gaussians& fine, const Hierarchical_em_options& options,
+                                  std::size_t level, Concurrency concurrency)
 {
   options.check();
-  return sorted_and_merged(
-    Em_step(sorted_and_merged(fine), options, level).template run<ConcurrencyTag>());
+  return sorted_and_merged(Em_step(sorted_and_merged(fine), options, level).run(concurrency));
 }
 
 /// `finest`, followed by `options.number_of_levels` levels, each coarser than the one before.
-template <typename ConcurrencyTag>
-std::vector<Gaussians> hierarchical_em(Gaussians finest, const Hierarchical_em_options& options)
+inline std::vector<Gaussians> hierarchical_em(Gaussians finest,
+                                              const Hierarchical_em_options& options,
+                                              Concurrency concurrency)
 {
   std::vector<Gaussians> levels;
   levels.push_back(std::move(finest));
   for(std::size_t level = 1; level <= options.number_of_levels; ++level)
-    levels.push_back(coarser_level<ConcurrencyTag>(levels.back(), options, level));
+    levels.push_back(coarser_em_level(levels.back(), options, level, concurrency));
   return levels;
 }
 

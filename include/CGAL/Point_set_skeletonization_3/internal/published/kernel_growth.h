@@ -4,9 +4,10 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_KERNEL_GROWTH_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_KERNEL_GROWTH_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/published/attraction.h>
 
-#include <Eigen/Eigenvalues>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/principal_axes.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/attraction.h>
 
 #include <cstddef>
 #include <vector>
@@ -29,10 +30,8 @@ inline double growth_factor(const Vector3& center, double h, const std::vector<V
     const Vector3 d = center - positions[j];
     covariance += theta(d.squaredNorm(), h) * d * d.transpose();
   }
-  Eigen::SelfAdjointEigenSolver<Matrix3> solver;
-  solver.computeDirect(covariance, Eigen::EigenvaluesOnly);
   const double trace = covariance.trace();
-  const double sigma = trace > 0 ? solver.eigenvalues()[2] / trace : 0;
+  const double sigma = trace > 0 ? principal_axes(covariance).variances[2] / trace : 0;
   return 1 - (n - 2) / (n - 1) * sigma;
 }
 

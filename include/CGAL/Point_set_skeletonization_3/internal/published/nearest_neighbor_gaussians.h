@@ -4,10 +4,12 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_NEAREST_NEIGHBOR_GAUSSIANS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_NEAREST_NEIGHBOR_GAUSSIANS_H
 
+
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/Point_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/gaussian_functions.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/parallel_for.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Neighbor.h>
 
 #include <CGAL/assertions.h>
 
@@ -49,10 +51,10 @@ struct Nearest_neighbor_options
 /// Covariance about `center` of the neighbours found around it. They include `center` itself, which
 /// adds nothing and does not count.
 inline Matrix3 neighbor_covariance(const Vector3& center, const std::vector<Vector3>& points,
-                                   const std::vector<Point_search::Neighbor>& found)
+                                   const std::vector<Neighbor>& found)
 {
   Matrix3 sum = Matrix3::Zero();
-  for(const Point_search::Neighbor& neighbor : found) {
+  for(const Neighbor& neighbor : found) {
     const Vector3 d = points[neighbor.index] - center;
     sum += d * d.transpose();
   }
@@ -91,19 +93,18 @@ struct Distinct_positions
 /// Gaussians permuted, bit by bit.
 ///
 /// \param points in normalised coordinates, finite
-template <typename ConcurrencyTag>
-Gaussians nearest_neighbor_gaussians(const std::vector<Vector3>& points,
-                                     const Nearest_neighbor_options& options)
+inline Gaussians nearest_neighbor_gaussians(const std::vector<Vector3>& points,
+                                            const Nearest_neighbor_options& options,
+                                            Concurrency concurrency)
 {
   options.check();
   const Distinct_positions distinct(points);
   const std::vector<Vector3>& positions = distinct.positions;
-  const Point_search search(positions.size(),
-                               [&](std::size_t i) -> const Vector3& { return positions[i]; });
+  const Point_search search(positions);
 
   std::vector<Matrix3> covariances(positions.size());
-  parallel_for<ConcurrencyTag>(positions.size(), [&](std::size_t i) {
-    std::vector<Point_search::Neighbor> found;
+  parallel_for(concurrency, positions.size(), [&](std::size_t i) {
+    std::vector<Neighbor> found;
     search.nearest(positions[i], options.neighbors + 1, found);
     covariances[i] =
       regularized(neighbor_covariance(positions[i], positions, found), options.flatness);

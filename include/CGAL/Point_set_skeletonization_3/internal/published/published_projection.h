@@ -4,12 +4,13 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_PUBLISHED_PROJECTION_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_PUBLISHED_PROJECTION_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/published/Point_search.h>
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/Point_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/attraction.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/kernel_growth.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/parallel_for.h>
-#include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 
 #include <CGAL/assertions.h>
 
@@ -34,6 +35,15 @@ struct Published_projection_options
   void check() const { CGAL_precondition(repulsion >= 0 && repulsion < 0.5); }
 };
 
+/// A point of the input that moves to the middle of the shape.
+struct L1_sample
+{
+  Vector3 origin = Vector3::Zero();
+  Vector3 position = Vector3::Zero();
+  double kernel_radius = 0;
+  double radius = 0; ///< Distance to the nearest component.
+};
+
 /// h^(0) = 2 diag / |P|^(1/3) (Huang et al. 2013).
 inline double initial_kernel_radius(std::size_t number_of_points)
 {
@@ -44,12 +54,13 @@ inline double initial_kernel_radius(std::size_t number_of_points)
 constexpr double published_reach = 0.6;
 
 /// 1 + sum of theta over the others: the density at every point, v of Eq. 7 and w of Eq. 8.
-template <typename ConcurrencyTag, typename Radius>
-std::vector<double> densities(const std::vector<Vector3>& points, const Radius& kernel_radius)
+template <typename Radius>
+std::vector<double> densities(const std::vector<Vector3>& points, const Radius& kernel_radius,
+                              Concurrency concurrency)
 {
-  const Point_search search(points.size(), [&](std::size_t i) { return points[i]; });
+  const Point_search search(points);
   std::vector<double> result(points.size(), 1);
-  parallel_for<ConcurrencyTag>(points.size(), [&](std::size_t i) {
+  parallel_for(concurrency, points.size(), [&](std::size_t i) {
     const double h = kernel_radius(i);
     std::vector<std::size_t> near;
     search.within(points[i], published_reach * h, near);
@@ -65,7 +76,7 @@ struct Attractors
 {
   explicit Attractors(const Gaussians& mixture)
     : components(mixture.begin(), mixture.end()),
-      search(mixture.size(), [&](std::size_t i) { return mixture[i].mean; })
+      search(means_of(mixture))
   {
     for(const Attractor& a : components)
       extent = std::max(extent, 2 * std::sqrt(a.largest_variance()));
@@ -92,7 +103,7 @@ inline Vector3 attraction(const Vector3& q, double h, const Attractors& mixture)
 
 /// F2 of Eq. 4 with the weights of Eq. 6 and 8 for eta(r) = -r (Huang et al. 2009): away from the
 /// other samples. Samples at the very same place have no direction to part in and do not count.
-inline Vector3 repulsion(std::size_t i, const std::vector<Sample>& samples,
+inline Vector3 repulsion(std::size_t i, const std::vector<L1_sample>& samples,
                          const std::vector<std::size_t>& near, const std::vector<double>& density)
 {
   const double h = samples[i].kernel_radius;
@@ -112,29 +123,28 @@ inline Vector3 repulsion(std::size_t i, const std::vector<Sample>& samples,
 
 /// Eq. 2 with kernels grown by Eq. 10, a fixed number of times; every iteration reads the positions
 /// of the one before.
-template <typename ConcurrencyTag>
-Projection_outcome project_as_published(std::vector<Sample>& samples, const Gaussians& mixture,
-                                        const Published_projection_options& options,
-                                        const Progress& progress)
+inline std::vector<L1_sample> project_as_published(std::vector<L1_sample> samples,
+                                                   const Gaussians& mixture,
+                                                   const Published_projection_options& options,
+                                                   Concurrency concurrency,
+                                                   const Progress& progress)
 {
   options.check();
-  Projection_outcome outcome;
   if(samples.empty())
-    return outcome;
+    return samples;
   const Attractors attractors(mixture);
   const double growth = samples.front().kernel_radius / 2; // delta h of Eq. 10
-  outcome.reason = Projection_stop_reason::fixed_number;
-  for(; outcome.iterations < options.iterations; ++outcome.iterations) {
+  for(std::size_t iteration = 0; iteration < options.iterations; ++iteration) {
     std::vector<Vector3> positions;
-    for(const Sample& s : samples)
+    for(const L1_sample& s : samples)
       positions.push_back(s.position);
-    const std::vector<double> density = densities<ConcurrencyTag>(
-      positions, [&](std::size_t i) { return samples[i].kernel_radius; });
-    const Point_search search(positions.size(), [&](std::size_t i) { return positions[i]; });
+    const std::vector<double> density = densities(
+      positions, [&](std::size_t i) { return samples[i].kernel_radius; }, concurrency);
+    const Point_search search(positions);
 
-    std::vector<Sample> next = samples;
-    parallel_for<ConcurrencyTag>(samples.size(), [&](std::size_t i) {
-      const Sample& s = samples[i];
+    std::vector<L1_sample> next = samples;
+    parallel_for(concurrency, samples.size(), [&](std::size_t i) {
+      const L1_sample& s = samples[i];
       std::vector<std::size_t> near;
       search.within(s.position, s.kernel_radius, near);
       next[i].position = attraction(s.position, s.kernel_radius, attractors) +
@@ -143,13 +153,9 @@ Projection_outcome project_as_published(std::vector<Sample>& samples, const Gaus
         growth * growth_factor(s.position, s.kernel_radius, positions, near);
     });
     samples.swap(next);
-    if(!progress(static_cast<double>(outcome.iterations + 1) /
-                 static_cast<double>(options.iterations))) {
-      outcome.reason = Projection_stop_reason::cancelled;
-      return outcome;
-    }
+    progress(static_cast<double>(iteration + 1) / static_cast<double>(options.iterations));
   }
-  return outcome;
+  return samples;
 }
 
 } // namespace internal

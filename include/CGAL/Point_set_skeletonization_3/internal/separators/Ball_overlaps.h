@@ -4,12 +4,11 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_BALL_OVERLAPS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_BALL_OVERLAPS_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/parallel_for.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/patches.h>
-#include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 
-#include <CGAL/tags.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +22,7 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The ball inside the limb that a patch belongs to.
+/// The medial ball in the limb that a patch belongs to.
 struct Medial_ball
 {
   Vector3 center = Vector3::Zero();
@@ -33,15 +32,15 @@ struct Medial_ball
 /// The ball of every patch: around its sample, if that is off the surface. Patches without one take
 /// that of the nearest patch along the surface, but not across a crease and not from far away: where
 /// two limbs touch no normal can be trusted, and every patch is beside the limb it belongs to.
-inline std::vector<Medial_ball> known_balls(const std::vector<Patch>& patches,
-                                         const std::vector<Sample>& samples)
+inline std::vector<Medial_ball> known_balls(const Patches& patches,
+                                         const Samples& samples)
 {
   constexpr double reach = 3;       // spacings: half of what a normal is estimated from, and a bit
   constexpr double ball_share = 0.5; // radii: a thick limb touches another with more patches
   constexpr double crease = 0.3;    // cosine of 70 degrees between normals
 
   std::vector<Medial_ball> balls(patches.size());
-  using Step = std::tuple<double, std::size_t, std::size_t>; // way, patch, the one it comes from
+  using Step = std::tuple<double, std::size_t, std::size_t>; // length, patch, the one it comes from
   std::priority_queue<Step, std::vector<Step>, std::greater<Step>> queue;
   for(std::size_t i = 0; i < patches.size(); ++i) {
     const double radius = (samples[i].position - patches[i].mean).norm();
@@ -65,18 +64,18 @@ inline std::vector<Medial_ball> known_balls(const std::vector<Patch>& patches,
     balls[i] = balls[from];
     const double limit = std::max(reach * patches[from].spacing, ball_share * balls[from].radius);
     for(std::size_t j : patches[i].neighbors) {
-      const double way = std::get<0>(step) + (patches[i].mean - patches[j].mean).norm();
-      if(is_unknown(j) && way < limit && patches[i].normal.dot(patches[j].normal) > crease)
-        queue.emplace(way, j, from);
+      const double length = std::get<0>(step) + (patches[i].mean - patches[j].mean).norm();
+      if(is_unknown(j) && length < limit && patches[i].normal.dot(patches[j].normal) > crease)
+        queue.emplace(length, j, from);
     }
   }
   return balls;
 }
 
-/// How wide the joint between two balls is: the radius of the circle in which they meet over that of
-/// the smaller ball, 1 if the centre of that is beyond. Neighbours in one limb have nearly the same
-/// ball, and where a limb leaves another both balls hold the joint; the balls of two limbs that only
-/// touch do not meet. \pre both are known
+/// How far two balls overlap: the radius of the circle in which their spheres meet over that of the
+/// smaller ball; 1 if the centre of that is beyond the circle. Neighbours in one limb have nearly the
+/// same ball, and where a limb leaves another both balls hold the place between them; the balls of two
+/// limbs that only touch do not meet. \pre both are known
 inline double relative_overlap(const Medial_ball& a, const Medial_ball& b)
 {
   const double smaller = std::min(a.radius, b.radius), larger = std::max(a.radius, b.radius);
@@ -91,21 +90,23 @@ inline double relative_overlap(const Medial_ball& a, const Medial_ball& b)
   return std::sqrt(std::max(0.0, 1 - plane * plane));
 }
 
-/// How wide neighbouring patches are joined inside the shape, in [0, 1]: 1 in a limb, towards 0 from
-/// one limb to another that it touches.
+/// How far the medial balls of neighbouring patches overlap, in [0, 1]: 1 in a limb, towards 0 from one
+/// limb to another that it touches.
 class Ball_overlaps
 {
 public:
-  /// `unknown` is the width where a patch has no ball.
-  template <typename ConcurrencyTag = Sequential_tag>
-  Ball_overlaps(const std::vector<Patch>& patches, const std::vector<Sample>& samples, double unknown,
-              ConcurrencyTag = ConcurrencyTag())
-    : pairs_(adjacent_pairs(patches)), widths_(pairs_.size())
+  /// `unknown` counts for a pair of which a patch has no ball.
+  Ball_overlaps(const Patches& patches, const Samples& samples, double unknown,
+                Concurrency concurrency)
   {
-    const std::vector<Medial_ball> balls = known_balls(patches, samples);
-    parallel_for<ConcurrencyTag>(pairs_.size(), [&](std::size_t k) {
+    std::vector<Medial_ball> balls;
+    parallel_invoke(
+      concurrency, [&] { pairs_ = adjacent_pairs(patches); },
+      [&] { balls = known_balls(patches, samples); });
+    overlaps_.resize(pairs_.size());
+    parallel_for(concurrency, pairs_.size(), [&](std::size_t k) {
       const Medial_ball &a = balls[pairs_[k].a], &b = balls[pairs_[k].b];
-      widths_[k] = a.radius > 0 && b.radius > 0 ? relative_overlap(a, b) : unknown;
+      overlaps_[k] = a.radius > 0 && b.radius > 0 ? relative_overlap(a, b) : unknown;
     });
   }
 
@@ -113,17 +114,17 @@ public:
   const std::vector<Patch_pair>& pairs() const { return pairs_; }
 
   /// Of the `k`-th pair.
-  double width(std::size_t k) const { return widths_[k]; }
+  double operator[](std::size_t k) const { return overlaps_[k]; }
 
-  /// Whether a limb goes on from one to the other. The radius of the joint is half of that of the
-  /// limb where two round limbs of the same size cross each other with an eighth of their width.
-  bool overlap(std::size_t k) const { return width(k) >= least_overlap; }
+  /// Whether one limb goes on from one patch of the `k`-th pair to the other. The circle has half of
+  /// the radius where two round limbs of the same size cross each other with an eighth of their width.
+  bool are_in_one_limb(std::size_t k) const { return overlaps_[k] >= least_overlap; }
 
 private:
   static constexpr double least_overlap = 0.5;
 
   std::vector<Patch_pair> pairs_;
-  std::vector<double> widths_;
+  std::vector<double> overlaps_;
 };
 
 } // namespace internal

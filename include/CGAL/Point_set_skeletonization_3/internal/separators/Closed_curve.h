@@ -4,8 +4,11 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_CLOSED_CURVE_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_CLOSED_CURVE_H
 
+
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Winding_number.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/inside.h>
 
 #include <CGAL/number_utils.h>
 
@@ -20,9 +23,10 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// A rubber band in the solid: a closed curve that becomes shorter as far as it can without leaving
-/// the solid. Around a hole of the shape it stays; elsewhere it shrinks to a point, however it is
-/// bent. A hole of the data does not hold it: the winding number closes that.
+/// A closed curve in the solid that is shortened as far as it can be without leaving the solid, like a
+/// rubber band. Around a hole of the shape it gets stuck; elsewhere it contracts to a point, however it
+/// is bent. A hole of the data does not hold it: the winding number closes that. (Discrete curve
+/// shortening; whether the curve is contractible is what the package asks.)
 class Closed_curve
 {
 public:
@@ -35,15 +39,15 @@ public:
     double length = 0;
     for(std::size_t i = 0; i < curve.size(); ++i)
       length += (curve[i] - next(curve, i)).norm();
-    double way = 0;
+    double arc = 0;
     std::size_t k = 0;
     for(std::size_t i = 0; i < curve.size(); ++i) {
       const double step = (curve[i] - next(curve, i)).norm();
-      for(; k < size && at(k) * length <= way + step; ++k) {
-        const double t = step > 0 ? (at(k) * length - way) / step : 0;
+      for(; k < size && at(k) * length <= arc + step; ++k) {
+        const double t = step > 0 ? (at(k) * length - arc) / step : 0;
         points_[k] = curve[i] + t * (next(curve, i) - curve[i]);
       }
-      way += step;
+      arc += step;
     }
     for(; k < size; ++k) // rounding
       points_[k] = curve.front();
@@ -52,14 +56,14 @@ public:
   /// Whether all of its points are in the solid.
   bool is_solid() const
   {
-    const std::vector<double> values = winding_number_.at_places<Sequential_tag>(
-      size_, [&](std::size_t k) { return points_[k]; });
+    const std::vector<double> values = winding_number_.at_places(
+      std::vector<Vector3>(points_.begin(), points_.begin() + size_), Concurrency::sequential);
     return *std::min_element(values.begin(), values.end()) >= air;
   }
 
-  /// Whether the solid lets the curve be moved onto another one point by point, in the straight way
-  /// from each to the nearest: then both shrink, or neither. \pre the other one is solid
-  bool can_become(const Closed_curve& other) const
+  /// Whether the solid lets the curve be moved onto another one, every point straight to the nearest:
+  /// then both are contractible, or neither. \pre the other one is solid
+  bool can_be_moved_onto(const Closed_curve& other) const
   {
     const std::array<Vector3, size> target = other.points_beside(*this);
     for(std::size_t k = 0; k < size; ++k)
@@ -68,8 +72,12 @@ public:
     return true;
   }
 
-  /// Whether the curve shrinks to a point.
-  bool shrinks()
+  /// Whether the curve contracts to a point.
+  bool is_contractible() const { return Closed_curve(*this).contract(); }
+
+private:
+  /// Shortens the curve as far as possible. Returns whether it is a point then.
+  bool contract()
   {
     constexpr int most_steps = 60; // half a dozen are usual
     constexpr double slow = 0.98;  // of the shortest before
@@ -78,7 +86,7 @@ public:
     double length = this->length(), shortest = length; // it may tremble in between
     for(int step = 0, stuck = 0; step < most_steps && stuck < patience; ++step) {
       drop_points(length);
-      tighten();
+      shorten();
       length = this->length();
       if(length < point)
         return true;
@@ -88,8 +96,7 @@ public:
     return length < 2 * point;
   }
 
-private:
-  // At first; a hole is wider than a thirty-second of the way around.
+  // At first; a hole is wider than a thirty-second of the length of the curve.
   static constexpr std::size_t size = 32;
 
   static double at(std::size_t k) { return static_cast<double>(k) / size; }
@@ -140,7 +147,7 @@ private:
 
   /// Moves every point to the mean of as long a part of the curve around it as the solid lets it;
   /// a point at a wall slides along it.
-  void tighten()
+  void shorten()
   {
     for(std::size_t i = 0; i < size_; ++i) {
       std::array<Vector3, 4> means; // a quarter of the curve to either side, half of that, ...
@@ -191,9 +198,7 @@ private:
     return can;
   }
 
-  static constexpr double air = 0.4; // 0.5 in the middle of a hole of the data, more behind it
-
-  /// Whether there is no air on the way to a place.
+  /// Whether there is no air between two places.
   bool is_solid_before(const Vector3& from, const Vector3& to) const
   {
     constexpr double most_places = 16;

@@ -4,12 +4,14 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_GROWING_REGION_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_GROWING_REGION_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/patches.h>
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Local_separator.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -19,17 +21,6 @@
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
-
-/// Patches that cut the surface around them in two: a ring around a limb, whatever the shape of its
-/// cross-section. (Baerentzen & Rotenberg 2021 call it a local separator and find it by growing a
-/// region from a point of the surface; we grow it from the centre of the shape, and so closer to a
-/// cross-section.)
-struct Local_separator
-{
-  std::vector<std::size_t> patches;              ///< Ascending; empty if there is no separator.
-  std::array<std::vector<std::size_t>, 2> sides; ///< Patches next to it on either side, ascending.
-  double length = 0;                             ///< Sum of the spacings of its patches.
-};
 
 /// A list of patches that grows without a branch: which neighbours of a patch are new is anybody's
 /// guess, and wrong guesses of the processor would cost more than all the rest.
@@ -65,10 +56,10 @@ private:
 class Growing_region
 {
 public:
-  Growing_region(const std::vector<Patch>& patches, const Patch_graph& edges,
-                 const std::vector<Sample>& samples)
+  Growing_region(const Patches& patches, const Patch_graph& graph,
+                 const Samples& samples)
       : patches_(patches)
-      , edges_(edges)
+      , graph_(graph)
       , samples_(samples)
       , region_(patches.size())
       , front_(patches.size())
@@ -167,7 +158,7 @@ private:
   void add_neighbors_to_front(std::size_t i)
   {
     const std::size_t first = front_.size();
-    for(const auto& edge : edges_[i]) {
+    for(const auto& edge : graph_[i]) {
       Label& label = label_[edge.patch];
       const bool is_new = label == outside;
       front_.push_back_if(is_new, edge.patch);
@@ -240,7 +231,7 @@ private:
       const std::size_t first = found_.size();
       add(start);
       for(std::size_t next = first; next < found_.size() && splits; ++next) {
-        for(const auto& edge : edges_[found_[next]])
+        for(const auto& edge : graph_[found_[next]])
           add(edge.patch);
         splits = static_cast<double>(found_.size() - first) <= enough;
       }
@@ -287,17 +278,17 @@ private:
     };
     visit_all([&](std::size_t i) {
       if(label_[i] == between && half(i) == 1 &&
-         std::any_of(edges_[i].begin(), edges_[i].end(), in_second_half))
+         std::any_of(graph_[i].begin(), graph_[i].end(), in_second_half))
         add(i);
     });
     for(std::size_t i : parts[0])
-      for(const auto& edge : edges_[i])
+      for(const auto& edge : graph_[i])
         if(in_second_half(edge))
           add(edge.patch);
     std::sort(result.patches.begin(), result.patches.end());
     for(std::size_t i : result.patches) {
       result.length += patches_[i].spacing;
-      for(const auto& edge : edges_[i])
+      for(const auto& edge : graph_[i])
         if(half(edge.patch) != 0 && label_[edge.patch] < on_separator) {
           label_[edge.patch] = beside;
           result.sides[static_cast<std::size_t>(half(edge.patch) - 1)].push_back(edge.patch);
@@ -337,15 +328,15 @@ private:
       const auto [distance, i] = queue_[next];
       const int part = known[i].part;
       if(distance > known[i].distance)
-        continue; // came there on a shorter way
-      for(const auto& edge : edges_[i])
+        continue; // reached on a shorter path
+      for(const auto& edge : graph_[i])
         visit(distance + edge.length, part, edge.patch);
     }
   }
 
-  const std::vector<Patch>& patches_;
-  const Patch_graph& edges_;
-  const std::vector<Sample>& samples_;
+  const Patches& patches_;
+  const Patch_graph& graph_;
+  const Samples& samples_;
   Vector3 center_ = Vector3::Zero();
   Patch_list region_; ///< The seed first.
   Patch_list front_;

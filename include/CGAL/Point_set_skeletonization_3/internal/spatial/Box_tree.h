@@ -5,48 +5,28 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SPATIAL_BOX_TREE_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/parallel_for.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 
-#include <CGAL/tags.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// An axis-parallel box; empty at first.
-struct Box
-{
-  Vector3 lower = Vector3::Constant(std::numeric_limits<double>::infinity());
-  Vector3 upper = Vector3::Constant(-std::numeric_limits<double>::infinity());
-
-  void add(const Vector3& p)
-  {
-    lower = lower.cwiseMin(p);
-    upper = upper.cwiseMax(p);
-  }
-
-  void add(const Box& other)
-  {
-    lower = lower.cwiseMin(other.lower);
-    upper = upper.cwiseMax(other.upper);
-  }
-
-  double squared_distance(const Vector3& p) const
-  {
-    return (lower - p).cwiseMax(p - upper).cwiseMax(0).squaredNorm();
-  }
-};
-
-/// A balanced binary tree over points, for sums over all points that get coarser with distance and for
-/// what can be bounded in a box. It depends on the points only.
+/// A balanced binary tree of bounding boxes over points, for sums that get coarser with distance and
+/// for what can be bounded in a box. It depends on the points only, and never changes: copies share
+/// it.
 class Box_tree
 {
 public:
+  using Box = Eigen::AlignedBox3d;
+
   static constexpr std::size_t leaf_size = 8; // a handful costs as much as a node
 
   struct Node
@@ -55,69 +35,59 @@ public:
     std::size_t after;      ///< The first node after it that is not below it.
   };
 
-  Box_tree() = default;
+  /// Over no points.
+  Box_tree() : data_(std::make_shared<const Data>()) {}
 
-  /// `position(i)` gives the `i`-th of `size` points. Halves are sorted concurrently under
-  /// `Parallel_tag`.
-  template <typename Position, typename ConcurrencyTag = Sequential_tag>
-  Box_tree(std::size_t size, const Position& position, ConcurrencyTag = ConcurrencyTag())
+  /// Over points. O(n log n).
+  explicit Box_tree(const std::vector<Vector3>& points,
+                    Concurrency concurrency = Concurrency::sequential)
   {
+    auto data = std::make_shared<Data>();
     std::vector<Entry> entries;
-    entries.reserve(size);
-    for(std::size_t i = 0; i < size; ++i)
-      entries.push_back({position(i), i});
-    if(size > 0) {
-      add_nodes(0, size);
-      sort<ConcurrencyTag>(entries, 0);
+    entries.reserve(points.size());
+    for(std::size_t i = 0; i < points.size(); ++i)
+      entries.push_back({points[i], i});
+    if(!points.empty()) {
+      add_nodes(data->nodes, 0, points.size());
+      sort(data->nodes, 0, entries, concurrency);
     }
-    order_.reserve(size);
-    positions_.reserve(size);
+    data->order.reserve(points.size());
+    data->positions.reserve(points.size());
     for(const Entry& entry : entries) {
-      order_.push_back(entry.index);
-      positions_.push_back(entry.position);
+      data->order.push_back(entry.index);
+      data->positions.push_back(entry.position);
     }
-    boxes_ = boxes_of(position);
+    data->boxes = boxes_of(data->nodes, [&](std::size_t k) { return data->positions[k]; });
+    data_ = std::move(data);
   }
 
   /// In preorder: the root, its left subtree, its right subtree. Empty if there are no points.
-  const std::vector<Node>& nodes() const { return nodes_; }
-  bool is_leaf(std::size_t node) const { return nodes_[node].after == node + 1; }
+  const std::vector<Node>& nodes() const { return data_->nodes; }
+  bool is_leaf(std::size_t node) const { return is_leaf(nodes(), node); }
   /// \pre it is no leaf
-  std::size_t left(std::size_t node) const { return node + 1; }
-  std::size_t right(std::size_t node) const { return nodes_[left(node)].after; }
+  static std::size_t left(std::size_t node) { return node + 1; }
+  std::size_t right(std::size_t node) const { return nodes()[left(node)].after; }
   /// The points, sorted into the leaves.
-  const std::vector<std::size_t>& order() const { return order_; }
+  const std::vector<std::size_t>& order() const { return data_->order; }
   /// Values of the points, given in that order, by their indices.
   template <typename Value>
   std::vector<Value> by_index(const std::vector<Value>& in_order) const
   {
-    std::vector<Value> result(order_.size());
-    for(std::size_t k = 0; k < order_.size(); ++k)
-      result[order_[k]] = in_order[k];
+    std::vector<Value> result(order().size());
+    for(std::size_t k = 0; k < order().size(); ++k)
+      result[order()[k]] = in_order[k];
     return result;
   }
 
   /// Their positions, in that order.
-  const std::vector<Vector3>& positions() const { return positions_; }
+  const std::vector<Vector3>& positions() const { return data_->positions; }
   /// The bounding box of every node.
-  const std::vector<Box>& boxes() const { return boxes_; }
+  const std::vector<Box>& boxes() const { return data_->boxes; }
 
-  /// The box around `value(i)` of the points of every node.
-  template <typename Value>
-  std::vector<Box> boxes_of(const Value& value) const
+  /// The box around the values of the points of every node; the values are by index.
+  std::vector<Box> boxes_of(const std::vector<Vector3>& values) const
   {
-    std::vector<Box> result(nodes_.size());
-    for(std::size_t n = nodes_.size(); n-- > 0;) {
-      const Node& node = nodes_[n];
-      if(is_leaf(n))
-        for(std::size_t k = node.begin; k < node.end; ++k)
-          result[n].add(value(order_[k]));
-      else {
-        result[n].add(result[left(n)]);
-        result[n].add(result[right(n)]);
-      }
-    }
-    return result;
+    return boxes_of(nodes(), [&](std::size_t k) { return values[order()[k]]; });
   }
 
   /// Calls `visit(k, squared_distance)` for every point closer than `radius` to `center`; it is the
@@ -127,10 +97,10 @@ public:
   {
     const double squared_radius = radius * radius;
     visit_leaves(
-      [&](std::size_t node) { return boxes_[node].squared_distance(center) < squared_radius; },
+      [&](std::size_t node) { return boxes()[node].squaredExteriorDistance(center) < squared_radius; },
       [&](std::size_t begin, std::size_t end) {
         for(std::size_t k = begin; k < end; ++k) {
-          const double squared_distance = (positions_[k] - center).squaredNorm();
+          const double squared_distance = (positions()[k] - center).squaredNorm();
           if(squared_distance < squared_radius)
             visit(k, squared_distance);
         }
@@ -142,71 +112,95 @@ public:
   template <typename Enter, typename Visit>
   void visit_leaves(const Enter& enter, const Visit& visit) const
   {
-    for(std::size_t n = 0; n < nodes_.size();) {
+    const std::vector<Node>& nodes = this->nodes();
+    for(std::size_t n = 0; n < nodes.size();) {
       if(!enter(n)) {
-        n = nodes_[n].after;
+        n = nodes[n].after;
         continue;
       }
-      if(is_leaf(n))
-        visit(nodes_[n].begin, nodes_[n].end);
+      if(is_leaf(nodes, n))
+        visit(nodes[n].begin, nodes[n].end);
       ++n;
     }
   }
 
 private:
+  struct Data
+  {
+    std::vector<Node> nodes;
+    std::vector<std::size_t> order;
+    std::vector<Vector3> positions; ///< In that order.
+    std::vector<Box> boxes;
+  };
+
   struct Entry
   {
     Vector3 position;
     std::size_t index;
   };
 
-  /// Appends the tree over a range of points: halves of equal size.
-  void add_nodes(std::size_t begin, std::size_t end)
+  static bool is_leaf(const std::vector<Node>& nodes, std::size_t node)
   {
-    const std::size_t node = nodes_.size();
-    nodes_.push_back({begin, end, node + 1});
+    return nodes[node].after == node + 1;
+  }
+
+  /// Appends the tree over a range of points: halves of equal size.
+  static void add_nodes(std::vector<Node>& nodes, std::size_t begin, std::size_t end)
+  {
+    const std::size_t node = nodes.size();
+    nodes.push_back({begin, end, node + 1});
     if(end - begin <= leaf_size)
       return;
     const std::size_t middle = begin + (end - begin) / 2;
-    add_nodes(begin, middle);
-    add_nodes(middle, end);
-    nodes_[node].after = nodes_.size();
+    add_nodes(nodes, begin, middle);
+    add_nodes(nodes, middle, end);
+    nodes[node].after = nodes.size();
   }
 
-  /// Sorts the entries of a node into its halves, across its longest axis.
-  template <typename ConcurrencyTag>
-  void sort(std::vector<Entry>& entries, std::size_t node) const
+  /// Sorts the entries of a node into its halves, across its longest axis; the halves concurrently.
+  static void sort(const std::vector<Node>& nodes, std::size_t node, std::vector<Entry>& entries,
+                   Concurrency concurrency)
   {
     const auto at = [&](std::size_t k) { return entries.begin() + static_cast<std::ptrdiff_t>(k); };
-    const std::size_t begin = nodes_[node].begin, end = nodes_[node].end;
-    if(is_leaf(node)) { // an order of its own, whatever nth_element() leaves
+    const std::size_t begin = nodes[node].begin, end = nodes[node].end;
+    if(is_leaf(nodes, node)) { // an order of its own, whatever nth_element() leaves
       std::sort(at(begin), at(end),
                 [](const Entry& a, const Entry& b) { return a.index < b.index; });
       return;
     }
     Box box;
     for(std::size_t k = begin; k < end; ++k)
-      box.add(entries[k].position);
+      box.extend(entries[k].position);
     Eigen::Index axis = 0;
-    (box.upper - box.lower).maxCoeff(&axis);
-    std::nth_element(at(begin), at(nodes_[right(node)].begin), at(end),
+    box.sizes().maxCoeff(&axis);
+    const std::size_t left = node + 1, right = nodes[left].after;
+    std::nth_element(at(begin), at(nodes[right].begin), at(end),
                      [axis](const Entry& a, const Entry& b) {
                        const double x = a.position[axis], y = b.position[axis];
                        return x != y ? x < y : a.index < b.index;
                      });
     constexpr std::size_t worth_a_task = 512; // points
-    const auto sort_left = [&] { sort<ConcurrencyTag>(entries, left(node)); };
-    const auto sort_right = [&] { sort<ConcurrencyTag>(entries, right(node)); };
-    if(end - begin >= worth_a_task)
-      parallel_invoke<ConcurrencyTag>(sort_left, sort_right);
-    else
-      parallel_invoke<Sequential_tag>(sort_left, sort_right);
+    parallel_invoke(
+      end - begin >= worth_a_task ? concurrency : Concurrency::sequential,
+      [&] { sort(nodes, left, entries, concurrency); },
+      [&] { sort(nodes, right, entries, concurrency); });
   }
 
-  std::vector<Node> nodes_;
-  std::vector<std::size_t> order_;
-  std::vector<Box> boxes_;
-  std::vector<Vector3> positions_; ///< In the order of the leaves.
+  /// `value(k)` is that of the `k`-th point in the order of the leaves.
+  template <typename Value>
+  static std::vector<Box> boxes_of(const std::vector<Node>& nodes, const Value& value)
+  {
+    std::vector<Box> result(nodes.size());
+    for(std::size_t n = nodes.size(); n-- > 0;)
+      if(is_leaf(nodes, n))
+        for(std::size_t k = nodes[n].begin; k < nodes[n].end; ++k)
+          result[n].extend(value(k));
+      else
+        result[n].extend(result[n + 1]).extend(result[nodes[n + 1].after]);
+    return result;
+  }
+
+  std::shared_ptr<const Data> data_;
 };
 
 } // namespace internal

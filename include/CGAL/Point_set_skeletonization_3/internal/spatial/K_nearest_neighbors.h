@@ -5,7 +5,7 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SPATIAL_K_NEAREST_NEIGHBORS_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
-#include <CGAL/Point_set_skeletonization_3/internal/published/Point_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Neighbor.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Per_thread.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Packet_tree.h>
 
@@ -21,18 +21,24 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// A neighbour and its squared distance.
-using Neighbor = Point_search::Neighbor;
+/// Neighbours that a patch of a surface is given: its normal is estimated from them, and they are asked
+/// whether they are adjacent. Half a dozen surround a patch; a few more let diagonals in.
+constexpr std::size_t surface_neighbors = 10;
 
-/// The nearest neighbours of every point of a set, as many of each, nearest first: itself, if no other
-/// is there too.
+/// The k-nearest-neighbour graph of a set of points: of every point as many neighbours, nearest first;
+/// the first is the point itself, if no other is there too.
 class K_nearest_neighbors
 {
 public:
+  K_nearest_neighbors() = default;
+
   /// Not known yet.
   K_nearest_neighbors(std::size_t points, std::size_t k) : k_(k), neighbors_(points * k) {}
 
-  /// How many every point has.
+  /// Number of points.
+  std::size_t size() const { return k_ > 0 ? neighbors_.size() / k_ : 0; }
+
+  /// How many neighbours every point has.
   std::size_t k() const { return k_; }
 
   boost::iterator_range<const Neighbor*> operator[](std::size_t point) const
@@ -46,11 +52,11 @@ public:
   }
 
 private:
-  std::size_t k_;
+  std::size_t k_ = 0;
   std::vector<Neighbor> neighbors_; ///< Those of one point after the other.
 };
 
-/// The neighbours of points of a tree that are next to each other.
+/// The neighbours of a packet of points of a tree.
 class K_nearest_packet
 {
 public:
@@ -87,13 +93,13 @@ public:
   /// Writes the neighbours of the `k`-th point, which is at `position`, to `result`.
   void neighbors(std::size_t k, const Vector3& position, Neighbor* result)
   {
-    const auto row = static_cast<Eigen::Index>(k);
-    const float farthest = smallest_.back()[row];
+    const auto lane = static_cast<Eigen::Index>(k);
+    const float farthest = smallest_.back()[lane];
     near_.resize(seen_.size() + 1);
     std::size_t size = 0;
     for(std::size_t i = 0; i < seen_.size(); ++i) { // without a branch
       near_[size] = seen_[i];
-      size += distances_[i][row] <= farthest;
+      size += distances_[i][lane] <= farthest;
     }
     nearest_.resize(size);
     for(std::size_t i = 0; i < size; ++i)
@@ -129,39 +135,39 @@ private:
 
 /// Writes the nearest of some points of a tree, `places` in its order, to `result`; quick if points next
 /// to each other in `places` are close.
-template <typename ConcurrencyTag>
-void find_neighbors(const Box_tree& tree, const std::vector<std::size_t>& places,
-                    K_nearest_neighbors& result)
+inline void find_neighbors(const Box_tree& tree, const std::vector<std::size_t>& places,
+                           K_nearest_neighbors& result, Concurrency concurrency)
 {
   const Packet_tree packet_tree(tree);
-  Per_thread<ConcurrencyTag, K_nearest_packet> rows(
-    [&] { return K_nearest_packet(tree, packet_tree, result.k()); });
-  for_each_packet<ConcurrencyTag>(places.size(), [&](std::size_t first, std::size_t end) {
-    K_nearest_packet& row = rows.local();
-    row.look_around([&](std::size_t i) { return places[std::min(first + i, end - 1)]; });
+  Per_thread<K_nearest_packet> packets(
+    concurrency, [&] { return K_nearest_packet(tree, packet_tree, result.k()); });
+  for_each_packet(concurrency, places.size(), [&](std::size_t first, std::size_t end) {
+    K_nearest_packet& packet = packets.local();
+    packet.look_around([&](std::size_t i) { return places[std::min(first + i, end - 1)]; });
     for(std::size_t i = first; i < end; ++i)
-      row.neighbors(i - first, tree.positions()[places[i]],
-                    result[tree.order()[places[i]]].begin());
+      packet.neighbors(i - first, tree.positions()[places[i]],
+                       result[tree.order()[places[i]]].begin());
   });
 }
 
-/// The `k` nearest of every point of a tree, or all if there are fewer, told apart in single precision.
-template <typename ConcurrencyTag>
-K_nearest_neighbors neighborhoods(const Box_tree& tree, std::size_t k)
+/// The `k` nearest of every point of a tree, or all if there are fewer. They are found in single
+/// precision and ordered in double.
+inline K_nearest_neighbors k_nearest_neighbors(const Box_tree& tree, std::size_t k,
+                                               Concurrency concurrency)
 {
   const std::size_t size = tree.order().size();
   K_nearest_neighbors result(size, std::min(k, size));
   std::vector<std::size_t> places(size);
   std::iota(places.begin(), places.end(), std::size_t(0));
-  find_neighbors<ConcurrencyTag>(tree, places, result);
+  find_neighbors(tree, places, result, concurrency);
   return result;
 }
 
 /// The same from those of more points: `index_of[i]` is the new index of the `i`-th of them, no less
 /// than the size of the tree if it was dropped. Asks again where a neighbour was.
-template <typename ConcurrencyTag>
-K_nearest_neighbors renumbered(const K_nearest_neighbors& before, const std::vector<std::size_t>& index_of,
-                         const Box_tree& tree)
+inline K_nearest_neighbors renumbered(const K_nearest_neighbors& before,
+                                      const std::vector<std::size_t>& index_of,
+                                      const Box_tree& tree, Concurrency concurrency)
 {
   const std::size_t size = tree.order().size();
   K_nearest_neighbors result(size, std::min(before.k(), size));
@@ -181,7 +187,7 @@ K_nearest_neighbors renumbered(const K_nearest_neighbors& before, const std::vec
   for(std::size_t place = 0; place < size; ++place)
     if(!known[tree.order()[place]])
       unknown.push_back(place);
-  find_neighbors<ConcurrencyTag>(tree, unknown, result);
+  find_neighbors(tree, unknown, result, concurrency);
   return result;
 }
 

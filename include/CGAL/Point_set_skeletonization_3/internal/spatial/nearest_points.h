@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The points of a tree that are nearest to the places of a row.
+/// The points of a tree that are nearest to the places of a packet.
 class Nearest_points_packet
 {
 public:
@@ -54,19 +54,20 @@ private:
   Packet_values nearest_ = Packet_values::Zero(); ///< Whole numbers.
 };
 
-/// The point of a tree that is nearest to `place(k)`, k < `size`, in single precision. Quick if places
-/// next to each other are close. \pre there are points, not more than 2^24
-template <typename ConcurrencyTag, typename Place>
-std::vector<std::size_t> nearest_points(const Box_tree& tree, std::size_t size, const Place& place)
+/// The points of a tree that are nearest to `places`, in single precision. Quick if places next to each
+/// other are close. \pre the tree has points, not more than 2^24
+inline std::vector<std::size_t> nearest_points(const Box_tree& tree,
+                                               const std::vector<Vector3>& places,
+                                               Concurrency concurrency)
 {
   const Packet_tree packet_tree(tree);
-  std::vector<std::size_t> result(size);
-  for_each_packet<ConcurrencyTag>(size, [&](std::size_t first, std::size_t end) {
-    Nearest_points_packet row(packet_tree,
-                           [&](std::size_t k) { return place(std::min(first + k, end - 1)); });
-    packet_tree.visit_leaves(row, [&](std::size_t b, std::size_t e) { row.look_at(b, e); });
+  std::vector<std::size_t> result(places.size());
+  for_each_packet(concurrency, places.size(), [&](std::size_t first, std::size_t end) {
+    Nearest_points_packet packet(
+      packet_tree, [&](std::size_t k) { return places[std::min(first + k, end - 1)]; });
+    packet_tree.visit_leaves(packet, [&](std::size_t b, std::size_t e) { packet.look_at(b, e); });
     for(std::size_t k = first; k < end; ++k)
-      result[k] = tree.order()[row.nearest(k - first)];
+      result[k] = tree.order()[packet.nearest(k - first)];
   });
   return result;
 }

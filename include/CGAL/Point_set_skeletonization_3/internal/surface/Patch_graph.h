@@ -4,7 +4,8 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_PATCH_GRAPH_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_PATCH_GRAPH_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/surface/patches.h>
+
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 
 #include <CGAL/assertions.h>
 
@@ -28,7 +29,7 @@ struct Patch_pair
 };
 
 /// The pairs of neighbouring patches, each once, in lexicographic order.
-inline std::vector<Patch_pair> adjacent_pairs(const std::vector<Patch>& patches)
+inline std::vector<Patch_pair> adjacent_pairs(const Patches& patches)
 {
   CGAL_precondition(patches.size() <= std::numeric_limits<std::uint32_t>::max());
   std::size_t size = 0;
@@ -44,7 +45,7 @@ inline std::vector<Patch_pair> adjacent_pairs(const std::vector<Patch>& patches)
   return result;
 }
 
-/// Edges between neighbouring patches, those from one patch after the other in memory.
+/// The graph of neighbouring patches, in compressed form: the edges of one patch after the other.
 class Patch_graph
 {
 public:
@@ -55,13 +56,13 @@ public:
   };
 
   /// Those of all `adjacent_pairs()`.
-  Patch_graph(const std::vector<Patch>& patches, const std::vector<Patch_pair>& pairs)
+  Patch_graph(const Patches& patches, const std::vector<Patch_pair>& pairs)
     : Patch_graph(patches, pairs, [](std::size_t) { return true; })
   {}
 
   /// Those of the pairs with `has(k)` for the `k`-th.
   template <typename Predicate>
-  Patch_graph(const std::vector<Patch>& patches, const std::vector<Patch_pair>& pairs,
+  Patch_graph(const Patches& patches, const std::vector<Patch_pair>& pairs,
               const Predicate& has)
     : first_(patches.size() + 2, 0)
   {

@@ -4,15 +4,17 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_SURFACE_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_SURFACE_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/K_nearest_neighbors.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Visible_surface.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/patches.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/orient_patches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Winding_number.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/estimate_patches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/orient_patches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/settle_orientation.h>
 
-#include <cstddef>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -20,39 +22,32 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The patches of a mixture level with all that the projection and the linking ask them.
-template <typename ConcurrencyTag>
-class Surface
+/// An oriented surface of patches, and what the later stages ask it.
+struct Surface
 {
-public:
-  /// With the tree over the means.
-  Surface(const Gaussians& gaussians, const Box_tree& over_means)
-    : Surface(gaussians, over_means, patch_neighborhoods<ConcurrencyTag>(over_means))
-  {}
-
-  /// Where the neighbourhoods are known, too.
-  Surface(const Gaussians& gaussians, Box_tree over_means, const K_nearest_neighbors& nearest)
-    : patches(surface_patches<ConcurrencyTag>(gaussians, nearest)), spacing(median_spacing(patches)),
-      tree(std::move(over_means))
-  {
-    orient_patches<ConcurrencyTag>(patches);
-    winding_number = settle_orientation<ConcurrencyTag>(patches, tree);
-    confidence = orientation_confidence<ConcurrencyTag>(patches);
-    part_facing_patches<ConcurrencyTag>(patches, confidence);
-    visible = std::make_unique<Visible_surface>(patches, confidence, tree);
-  }
-
-  // Its parts refer to each other.
-  Surface(const Surface&) = delete;
-  Surface& operator=(const Surface&) = delete;
-
-  std::vector<Patch> patches;
-  double spacing;
-  Box_tree tree; ///< Over the patches.
-  std::vector<double> confidence;
-  std::unique_ptr<Winding_number> winding_number;
-  std::unique_ptr<Visible_surface> visible;
+  Patches patches;
+  double spacing; ///< The median over the patches.
+  Box_tree tree;  ///< Over the patches.
+  std::vector<double> confidence; ///< Of the orientation of every patch, in [0, 1].
+  Winding_number winding_number;
+  Visible_surface visible;
 };
+
+/// Reads Gaussians as an oriented surface. `tree` is over their means, `nearest` are the
+/// `surface_neighbors` of every one, itself first. O(n log n). \pre there is a Gaussian
+inline Surface build_surface(const Gaussians& gaussians, const Box_tree& tree,
+                             const K_nearest_neighbors& nearest, Concurrency concurrency)
+{
+  Patches patches = estimate_patches(gaussians, nearest, concurrency);
+  const double spacing = median_spacing(patches);
+  orient_patches(patches, concurrency);
+  Winding_number winding_number = settle_orientation(patches, tree, concurrency);
+  std::vector<double> confidence = orientation_confidence(patches, concurrency);
+  part_facing_patches(patches, confidence, concurrency);
+  Visible_surface visible(patches, confidence, tree);
+  return {std::move(patches),        spacing,           tree, std::move(confidence),
+          std::move(winding_number), std::move(visible)};
+}
 
 } // namespace internal
 } // namespace Point_set_skeletonization_3

@@ -4,10 +4,13 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_VISIBLE_SURFACE_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_VISIBLE_SURFACE_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
+
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Packet_tree.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/patches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/facing.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,45 +25,44 @@ namespace internal {
 class Visible_surface
 {
 public:
-  /// `tree` is over the patches; it has to stay.
-  Visible_surface(const std::vector<Patch>& patches, const std::vector<double>& confidence,
+  /// `tree` is over the patches.
+  Visible_surface(const Patches& patches, const std::vector<double>& confidence,
                   const Box_tree& tree)
     : box_tree_(tree), tree_(tree)
   {
     for(std::size_t i : tree.order()) {
       normals_.push_back(patches[i].normal.cast<float>());
-      // Where `visibility()` falls to a half; it never does where the confidence is too low.
-      const double cosine = confidence[i] >= 0.5 ? -0.1 - 0.1 / confidence[i] : -2;
-      least_cosines_.push_back(static_cast<float>(cosine));
+      least_cosines_.push_back(static_cast<float>(least_visible_cosine(confidence[i])));
     }
   }
 
-  /// The distance from `place(k)`, k < `size`, to the nearest patch that it sees from inside; 0 if it
-  /// sees none. Quick if places next to each other are close.
-  template <typename ConcurrencyTag, typename Place>
-  std::vector<double> distances(std::size_t size, const Place& place) const
+  /// The distance from every place to the nearest patch that it sees from inside; 0 if it sees none.
+  /// Quick if places next to each other are close.
+  std::vector<double> distances(const std::vector<Vector3>& places, Concurrency concurrency) const
   {
-    return distances_after<ConcurrencyTag>(size, place, [](Row&, std::size_t, std::size_t) {});
+    return distances(places, concurrency, [](Packet&, std::size_t, std::size_t) {});
   }
 
-  /// The same from a place for every patch, `place(i)`; quicker if it sees the patch.
-  template <typename ConcurrencyTag, typename Place>
-  std::vector<double> distances_beside_patches(const Place& place) const
+  /// The same from a place for every patch; quicker if it sees the patch.
+  std::vector<double> distances_beside_patches(const std::vector<Vector3>& places,
+                                               Concurrency concurrency) const
   {
-    const auto look_at_patches = [](Row& row, std::size_t first, std::size_t end) {
-      row.look_at(first, end);
-    };
-    const std::vector<std::size_t>& order = box_tree_.order();
-    return box_tree_.by_index(distances_after<ConcurrencyTag>(
-      order.size(), [&](std::size_t k) { return place(order[k]); }, look_at_patches));
+    std::vector<Vector3> in_order;
+    in_order.reserve(places.size());
+    for(std::size_t i : box_tree_.order())
+      in_order.push_back(places[i]);
+    return box_tree_.by_index(distances(
+      in_order, concurrency, [](Packet& packet, std::size_t first, std::size_t end) {
+        packet.look_at(first, end); // at the patches themselves
+      }));
   }
 
 private:
-  class Row
+  class Packet
   {
   public:
     template <typename Place>
-    Row(const Visible_surface& patches, const Place& place)
+    Packet(const Visible_surface& patches, const Place& place)
       : patches_(patches),
         places_(packet_of([&](std::size_t k) { return patches.tree_.place(place(k)); }))
     {}
@@ -100,22 +102,23 @@ private:
     Packet_values squared_ = Packet_values::Constant(far); ///< Distances.
   };
 
-  /// `begin(row, first, end)` may let a row look at what it probably sees.
-  template <typename ConcurrencyTag, typename Place, typename Begin>
-  std::vector<double> distances_after(std::size_t size, const Place& place, const Begin& begin) const
+  /// `begin(packet, first, end)` may let a packet look at what it probably sees.
+  template <typename Begin>
+  std::vector<double> distances(const std::vector<Vector3>& places, Concurrency concurrency,
+                                const Begin& begin) const
   {
-    std::vector<double> result(size);
-    for_each_packet<ConcurrencyTag>(size, [&](std::size_t first, std::size_t end) {
-      Row row(*this, [&](std::size_t k) { return place(std::min(first + k, end - 1)); });
-      begin(row, first, end);
-      tree_.visit_leaves(row, [&](std::size_t b, std::size_t e) { row.look_at(b, e); });
+    std::vector<double> result(places.size());
+    for_each_packet(concurrency, places.size(), [&](std::size_t first, std::size_t end) {
+      Packet packet(*this, [&](std::size_t k) { return places[std::min(first + k, end - 1)]; });
+      begin(packet, first, end);
+      tree_.visit_leaves(packet, [&](std::size_t b, std::size_t e) { packet.look_at(b, e); });
       for(std::size_t k = first; k < end; ++k)
-        result[k] = row.distance(k - first);
+        result[k] = packet.distance(k - first);
     });
     return result;
   }
 
-  const Box_tree& box_tree_;
+  Box_tree box_tree_;
   Packet_tree tree_;
   // Of the patches, in the order of the tree.
   std::vector<Eigen::Vector3f> normals_;

@@ -4,29 +4,23 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_WINDING_NUMBER_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_WINDING_NUMBER_H
 
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Packet_tree.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/parallel_for.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/patches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 
 #include <CGAL/number_utils.h>
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <memory>
 #include <vector>
 
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
-
-/// Winding number from which a place counts as inside. Not 0.5: it is low near a hole of the data and
-/// in a limb so thin that its patches are no planes.
-constexpr double least_inside = 0.25;
 
 /// The generalised winding number of oriented patches: 1 inside, 0 outside, in between near holes.
 /// The patches are dipoles, and what is far away counts as the first two terms of its Taylor
@@ -38,17 +32,15 @@ constexpr double least_inside = 0.25;
 class Winding_number
 {
 public:
-  /// `tree` over the patches; it has to stay.
-  template <typename ConcurrencyTag = Sequential_tag>
-  Winding_number(const std::vector<Patch>& patches, const Box_tree& tree,
-                 ConcurrencyTag = ConcurrencyTag())
+  /// `tree` is over the patches.
+  Winding_number(const Patches& patches, const Box_tree& tree, Concurrency concurrency)
     : tree_(tree)
   {
     if(patches.empty())
       return;
-    const Box& box = tree_.boxes().front();
-    origin_ = (box.lower + box.upper) / 2;
-    unit_ = std::max((box.upper - box.lower).maxCoeff(), least_spacing); // patches may coincide
+    const Box_tree::Box& box = tree_.boxes().front();
+    origin_ = box.center();
+    unit_ = std::max(box.sizes().maxCoeff(), least_spacing); // patches may coincide
     std::vector<Dipole> dipoles;
     dipoles.reserve(patches.size());
     for(std::size_t i : tree_.order())
@@ -58,7 +50,7 @@ public:
     dipoles_.assign(dipoles.begin(), dipoles.end());
     const std::vector<Sums> sums = sums_of_nodes(dipoles);
     groups_.resize(sums.size());
-    parallel_for<ConcurrencyTag>(groups_.size(), [&](std::size_t n) {
+    parallel_for(concurrency, groups_.size(), [&](std::size_t n) {
       const Box_tree::Node& node = tree_.nodes()[n];
       groups_[n] = Group(sums[n], dipoles.data() + node.begin, dipoles.data() + node.end);
     });
@@ -81,28 +73,18 @@ public:
     return result;
   }
 
-  /// At `place(k)`, k < `size`; quick if places next to each other are close.
-  template <typename ConcurrencyTag, typename Place>
-  std::vector<double> at_places(std::size_t size, const Place& place) const
+  /// At many places; quick if places next to each other are close.
+  std::vector<double> at_places(const std::vector<Vector3>& places, Concurrency concurrency) const
   {
-    std::vector<double> result(size);
-    for_each_packet<ConcurrencyTag>(size, [&](std::size_t first, std::size_t end) {
-      std::array<Vector3, packet_size> places;
+    std::vector<double> result(places.size());
+    for_each_packet(concurrency, places.size(), [&](std::size_t first, std::size_t end) {
+      std::array<Vector3, packet_size> packet;
       for(std::size_t k = 0; k < packet_size; ++k)
-        places[k] = place(std::min(first + k, end - 1));
-      const std::array<double, packet_size> values = (*this)(places);
+        packet[k] = places[std::min(first + k, end - 1)];
+      const std::array<double, packet_size> values = (*this)(packet);
       std::copy_n(values.begin(), end - first, result.data() + first);
     });
     return result;
-  }
-
-  /// At a place for every patch, `place(i)`; quick if those of patches next to each other are close.
-  template <typename ConcurrencyTag, typename Place>
-  std::vector<double> beside_patches(const Place& place) const
-  {
-    const std::vector<std::size_t>& order = tree_.order();
-    return tree_.by_index(at_places<ConcurrencyTag>(
-      order.size(), [&](std::size_t k) { return place(order[k]); }));
   }
 
 private:
@@ -250,81 +232,12 @@ private:
     return sum;
   }
 
-  const Box_tree& tree_;
+  Box_tree tree_;
   Vector3 origin_ = Vector3::Zero(); ///< In the middle of the patches,
   double unit_ = 1;                  ///< and their extent.
   std::vector<Near_dipole> dipoles_; ///< In the order of the tree.
   std::vector<Group> groups_;        ///< Of every node of the tree.
 };
-
-/// Whether the normals around a patch enclose less than 60 degrees with its own, in the mean.
-inline bool is_like_its_neighbors(const Patch& patch, const std::vector<Patch>& patches)
-{
-  Vector3 sum = Vector3::Zero();
-  for(std::size_t j : patch.neighbors)
-    sum += patches[j].normal;
-  return patch.normal.dot(sum) > 0.5 * static_cast<double>(patch.neighbors.size());
-}
-
-/// The winding numbers at the patches: a half where the surroundings are oriented well, minus a half
-/// where they are inside out, and 0 on an open sheet, which has no inside. What is inside out is a limb,
-/// larger than a few patches next to each other: where one of these is well oriented, so are the others.
-template <typename ConcurrencyTag>
-std::vector<double> winding_numbers_on_surface(const Winding_number& winding_number,
-                                               const Box_tree& tree)
-{
-  constexpr double well = 0.25;
-  const std::vector<Vector3>& positions = tree.positions();
-  const std::size_t rows = (positions.size() + packet_size - 1) / packet_size;
-  const std::vector<double> of_rows = winding_number.at_places<ConcurrencyTag>(
-    rows, [&](std::size_t row) { return positions[row * packet_size]; });
-  std::vector<std::size_t> unsure; // places in the tree
-  for(std::size_t place = 0; place < positions.size(); ++place)
-    if(of_rows[place / packet_size] < well)
-      unsure.push_back(place);
-  const std::vector<double> of_unsure = winding_number.at_places<ConcurrencyTag>(
-    unsure.size(), [&](std::size_t k) { return positions[unsure[k]]; });
-  std::vector<double> result(positions.size(), 0.5);
-  for(std::size_t k = 0; k < unsure.size(); ++k)
-    result[tree.order()[unsure[k]]] = of_unsure[k];
-  return result;
-}
-
-/// Turns the patches around whose normals point into the shape: the spanning tree of the orientation
-/// may have taken a wrong turn at a thin or sharp place. The rest of the surface tells: it winds once
-/// around what is behind a patch, and not around what is in front. First whole limbs that are inside
-/// out, then patches unlike their neighbours that have more inside in front of them than behind.
-/// Returns the winding number of what comes out.
-template <typename ConcurrencyTag>
-std::unique_ptr<Winding_number> settle_orientation(std::vector<Patch>& patches,
-                                                   const Box_tree& tree)
-{
-  auto winding_number = std::make_unique<Winding_number>(patches, tree, ConcurrencyTag());
-  const auto turn_where = [&](const auto& is_wrong) {
-    std::vector<char> wrong(patches.size());
-    parallel_for<ConcurrencyTag>(patches.size(),
-                                 [&](std::size_t i) { wrong[i] = is_wrong(i); });
-    for(std::size_t i = 0; i < patches.size(); ++i)
-      if(wrong[i])
-        patches[i].normal = -patches[i].normal;
-    if(std::any_of(wrong.begin(), wrong.end(), [](char is) { return is; }))
-      winding_number = std::make_unique<Winding_number>(patches, tree, ConcurrencyTag());
-  };
-  const std::vector<double> on_surface =
-    winding_numbers_on_surface<ConcurrencyTag>(*winding_number, tree);
-  constexpr double inside_out = -0.25;
-  turn_where([&](std::size_t i) { return on_surface[i] < inside_out; });
-  turn_where([&](std::size_t i) {
-    const Patch& patch = patches[i];
-    if(is_like_its_neighbors(patch, patches))
-      return false;
-    const Vector3 step = patch.spacing * patch.normal;
-    const auto [in_front, behind] =
-      (*winding_number)(std::array<Vector3, 2>{{patch.mean + step, patch.mean - step}});
-    return in_front > behind;
-  });
-  return winding_number;
-}
 
 } // namespace internal
 } // namespace Point_set_skeletonization_3

@@ -1,13 +1,16 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_PRUNE_SPURS_H
-#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_PRUNE_SPURS_H
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_PRUNE_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_PRUNE_H
+
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/patches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/branches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/stray_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -42,9 +45,8 @@ inline Skeleton_graph without(const Skeleton_graph& graph, const std::vector<boo
 }
 
 /// Marks the pieces at the very end of a limb as removed as well: a cap has no middle of its own, the
-/// end is found from the cross-section before it. The first `separators` vertices are cross-sections.
-inline void mark_caps(const Skeleton_graph& graph, std::size_t separators,
-                      std::vector<bool>& removed)
+/// tip is found from the cross-section before it.
+inline void mark_caps(const Skeleton_graph& graph, std::vector<bool>& removed)
 {
   std::vector<std::vector<std::size_t>> adjacency(graph.vertices.size());
   for(const Skeleton_graph::Edge& e : graph.edges)
@@ -52,8 +54,10 @@ inline void mark_caps(const Skeleton_graph& graph, std::size_t separators,
       adjacency[e.first].push_back(e.second);
       adjacency[e.second].push_back(e.first);
     }
-  const auto is_cap = [&](std::size_t v) { return v >= separators && adjacency[v].size() == 1; };
-  for(std::size_t v = separators; v < adjacency.size(); ++v) {
+  const auto is_cap = [&](std::size_t v) {
+    return !graph.vertices[v].is_cross_section && adjacency[v].size() == 1;
+  };
+  for(std::size_t v = 0; v < adjacency.size(); ++v) {
     if(!is_cap(v))
       continue;
     // A single cross-section between two caps keeps them: a vertex alone has no direction.
@@ -66,11 +70,10 @@ inline void mark_caps(const Skeleton_graph& graph, std::size_t separators,
 class Spur_pruning
 {
 public:
-  /// The first `separators` vertices of `graph` are cross-sections.
-  Spur_pruning(const Skeleton_graph& graph, std::size_t separators,
-               const std::vector<Patch>& patches,
+  /// `patches_of` are the patches of every vertex.
+  Spur_pruning(const Skeleton_graph& graph, const Patches& patches,
                const std::vector<std::vector<std::size_t>>& patches_of)
-    : graph_(graph), separators_(separators), patches_(patches), patches_of_(patches_of)
+    : graph_(graph), patches_(patches), patches_of_(patches_of)
   {}
 
   /// Marks the vertices of spurs, the least slender first: removing one may turn its junction into a
@@ -123,11 +126,11 @@ private:
   /// Whether the graph stays as connected as it is without a branch between two junctions.
   static bool is_detour(const Branch& branch, const Skeleton_graph& graph)
   {
-    Union_find connectivity(graph.vertices.size());
+    Union_find parts(graph.vertices.size());
     for(const Skeleton_graph::Edge& e : graph.edges)
       if(e.first != branch[1] && e.second != branch[1])
-        connectivity.join(e.first, e.second);
-    return connectivity.root(branch.front()) == connectivity.root(branch.back());
+        parts.join(e.first, e.second);
+    return parts.find(branch.front()) == parts.find(branch.back());
   }
 
   /// The largest ratio of what lies beyond a cross-section of a branch to half the width of it, from
@@ -136,7 +139,7 @@ private:
   {
     double result = 0;
     for(std::size_t k = 1; k < branch.size(); ++k) {
-      if(branch[k] >= separators_)
+      if(!graph_.vertices[branch[k]].is_cross_section)
         continue;
       const std::vector<double> width = distances(branch, k, k + 1);
       const std::vector<double> length = distances(branch, k, branch.size());
@@ -161,13 +164,38 @@ private:
   }
 
   const Skeleton_graph& graph_;
-  std::size_t separators_;
-  const std::vector<Patch>& patches_;
+  const Patches& patches_;
   const std::vector<std::vector<std::size_t>>& patches_of_;
 };
+
+/// A surface quotient without spurs and stray components.
+struct Pruned_quotient
+{
+  Skeleton_graph graph;
+  std::vector<bool> is_stray; ///< Of every vertex of the quotient: it stands for outliers.
+};
+
+inline Pruned_quotient prune(const Surface_quotient& quotient, const Patches& patches)
+{
+  const Skeleton_graph& graph = quotient.graph;
+  const std::vector<std::vector<std::size_t>> patches_of =
+    patches_of_vertices(quotient.vertex_of_patch, graph.vertices.size());
+  std::vector<double> weights(graph.vertices.size(), 0); // numbers of points
+  for(std::size_t v = 0; v < weights.size(); ++v)
+    for(std::size_t i : patches_of[v])
+      weights[v] += patches[i].weight;
+  Pruned_quotient result;
+  result.is_stray = stray_vertices(graph, weights);
+  std::vector<bool> removed = Spur_pruning(graph, patches, patches_of).spurs();
+  for(std::size_t v = 0; v < removed.size(); ++v)
+    removed[v] = removed[v] || result.is_stray[v];
+  mark_caps(graph, removed);
+  result.graph = without(graph, removed);
+  return result;
+}
 
 } // namespace internal
 } // namespace Point_set_skeletonization_3
 } // namespace CGAL
 
-#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_PRUNE_SPURS_H
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_PRUNE_H

@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L1_MEDIAL_SAMPLE_3_H
+#define CGAL_L1_MEDIAL_SAMPLE_3_H
+
+namespace CGAL {
+
+/// A point of the input that the published method moved to the middle of the shape. Lengths in the unit
+/// of the input.
+template <typename GeomTraits>
+struct L1_medial_sample_3
+{
+  using FT = typename GeomTraits::FT;
+  using Point_3 = typename GeomTraits::Point_3;
+
+  Point_3 origin{0, 0, 0}; ///< Where it started: a point of the input.
+  Point_3 point{0, 0, 0};  ///< Where it is.
+  FT kernel_radius = 0;    ///< Support radius h of its kernel, > 0 (Eq. 10).
+  FT radius = 0;           ///< Distance to the nearest component of the mixture.
+};
+
+} // namespace CGAL
+
+#endif // CGAL_L1_MEDIAL_SAMPLE_3_H

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_NORMALIZED_POINTS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_NORMALIZED_POINTS_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Normalization.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Per_thread.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Point_source.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+
+#include <boost/container/static_vector.hpp>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// A block of points, on the stack: there is one for every few hundred points.
+using Point_block = boost::container::static_vector<Vector3, Point_source::block_size>;
+
+/// The points of a block, in the coordinates of the input.
+inline Point_block read_block(const Point_source& points, std::size_t b)
+{
+  Point_block result(points.size_of_block(b), boost::container::default_init);
+  points.read(b, result.data()->data());
+  return result;
+}
+
+/// The similarity that normalises a cloud. Reads it once.
+/// \throws std::invalid_argument that names the first point with a coordinate that is not finite
+inline Normalization normalization_of(const Point_source& points, Concurrency concurrency,
+                                      const Progress& progress = Progress())
+{
+  const Extent extent = parallel_sum(
+    concurrency, points.number_of_blocks(), Extent(),
+    [&](std::size_t b, Extent& part) {
+      std::size_t i = b * Point_source::block_size;
+      for(const Vector3& p : read_block(points, b))
+        part.add(i++, p);
+    },
+    progress);
+  return extent.normalization();
+}
+
+/// The points of a cloud in normalised coordinates, a block at a time: no copy of all is needed.
+struct Normalized_points
+{
+  Point_source source;
+  Normalization normalization;
+
+  std::size_t size() const { return source.size; }
+  std::size_t number_of_blocks() const { return source.number_of_blocks(); }
+
+  /// The `b`-th block; may be called concurrently. \pre `b < number_of_blocks()`
+  Point_block block(std::size_t b) const
+  {
+    Point_block result = read_block(source, b);
+    for(Vector3& p : result)
+      p = normalization.to_unit(p);
+    return result;
+  }
+
+  /// Calls `visit(k, i, point)` for the `i`-th point, which is in the `k`-th of `parts` parts of the
+  /// cloud. The parts are visited concurrently, the points of a part in order.
+  template <typename Visit>
+  void visit_parts(std::size_t parts, const Visit& visit, Concurrency concurrency,
+                   const Progress& progress) const
+  {
+    constexpr std::size_t blocks_of_slice = 1 << 10; // of milliseconds
+    const std::size_t slices = 1 + number_of_blocks() / blocks_of_slice;
+    for(std::size_t slice = 0; slice < slices; ++slice) {
+      parallel_for(concurrency, parts, [&](std::size_t k) {
+        const std::size_t part = k * slices + slice;
+        const std::size_t end = (part + 1) * number_of_blocks() / (parts * slices);
+        for(std::size_t b = part * number_of_blocks() / (parts * slices); b < end; ++b) {
+          std::size_t i = b * Point_source::block_size;
+          for(const Vector3& point : block(b))
+            visit(k, i++, point);
+        }
+      });
+      progress(static_cast<double>(slice + 1) / static_cast<double>(slices));
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_NORMALIZED_POINTS_H

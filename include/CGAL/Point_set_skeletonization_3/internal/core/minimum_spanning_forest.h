@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_MINIMUM_SPANNING_FOREST_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_MINIMUM_SPANNING_FOREST_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// Joins sets by their minimum spanning forest (Boruvka 1926): every round finds the least link that
+/// leaves each set. Returns the links that were taken.
+///
+/// \param sets the numbers that links join; on return, what is connected is one set
+/// \param for_each_link `for_each_link(visit)` calls `visit(link)` for every link. It is called once a
+///        round, O(log n) times, so that links need not be stored; those within a set may be left out
+/// \tparam Link has `.a` and `.b`, the numbers that it joins, and a strict total order `<`: with one,
+///         the forest does not depend on the order of the links
+template <typename Link, typename ForEachLink>
+std::vector<Link> minimum_spanning_forest(Union_find& sets, std::size_t size,
+                                          const ForEachLink& for_each_link)
+{
+  std::vector<Link> forest;
+  for(;;) {
+    std::vector<std::optional<Link>> least(size); // of every root
+    for_each_link([&](const Link& link) {
+      const std::size_t a = sets.find(link.a), b = sets.find(link.b);
+      if(a == b)
+        return;
+      for(std::size_t root : {a, b})
+        if(!least[root] || link < *least[root])
+          least[root] = link;
+    });
+    bool joined = false;
+    for(const std::optional<Link>& link : least)
+      if(link && sets.join(link->a, link->b)) {
+        forest.push_back(*link);
+        joined = true;
+      }
+    if(!joined)
+      return forest;
+  }
+}
+
+/// The same of links in a list.
+template <typename Link>
+std::vector<Link> minimum_spanning_forest(Union_find& sets, std::size_t size,
+                                          std::vector<Link> links)
+{
+  return minimum_spanning_forest<Link>(sets, size, [&](const auto& visit) {
+    const auto is_within_a_set = [&](const Link& link) {
+      return sets.find(link.a) == sets.find(link.b);
+    };
+    links.erase(std::remove_if(links.begin(), links.end(), is_within_a_set), links.end());
+    for(const Link& link : links)
+      visit(link);
+  });
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_MINIMUM_SPANNING_FOREST_H

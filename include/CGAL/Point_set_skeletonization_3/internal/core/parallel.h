@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_PARALLEL_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_PARALLEL_H
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#endif
+
+#include <cstddef>
+#include <functional>
+#include <utility>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// Whether loops run on the calling thread only or on all threads of TBB. Nothing that is computed
+/// depends on it, bit for bit. Without TBB everything is sequential.
+enum class Concurrency { sequential, parallel };
+
+/// Calls `body(begin, end)` for disjoint ranges that make up [0, `size`), in any order and possibly
+/// concurrently. A body must write to places of its own only.
+inline void parallel_for_ranges(Concurrency concurrency, std::size_t size,
+                                const std::function<void(std::size_t, std::size_t)>& body)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(concurrency == Concurrency::parallel) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size),
+                      [&](const auto& range) { body(range.begin(), range.end()); });
+    return;
+  }
+#endif
+  static_cast<void>(concurrency);
+  body(0, size);
+}
+
+/// Calls `body(i)` for 0 <= i < `size`; else as `parallel_for_ranges()`.
+template <typename Body>
+void parallel_for(Concurrency concurrency, std::size_t size, const Body& body)
+{
+  parallel_for_ranges(concurrency, size, [&body](std::size_t begin, std::size_t end) {
+    for(std::size_t i = begin; i < end; ++i)
+      body(i);
+  });
+}
+
+/// Calls `first()` and `second()`, possibly concurrently.
+inline void parallel_invoke(Concurrency concurrency, const std::function<void()>& first,
+                            const std::function<void()>& second)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(concurrency == Concurrency::parallel) {
+    tbb::parallel_invoke(first, second);
+    return;
+  }
+#endif
+  static_cast<void>(concurrency);
+  first();
+  second();
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_PARALLEL_H

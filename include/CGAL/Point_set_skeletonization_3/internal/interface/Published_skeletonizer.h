@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_PUBLISHED_SKELETONIZER_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_PUBLISHED_SKELETONIZER_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Point_source.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/linkage.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/interface/plain_data.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// The stages of the published method and what each of them leaves; else as `Skeletonizer`.
+class Published_skeletonizer
+{
+public:
+  Published_skeletonizer(Concurrency concurrency, unsigned int random_seed,
+                         std::size_t number_of_iterations);
+  Published_skeletonizer(Published_skeletonizer&&) noexcept;
+  Published_skeletonizer& operator=(Published_skeletonizer&&) noexcept;
+  ~Published_skeletonizer();
+
+  /// \throws std::invalid_argument that names the first point with a coordinate that is not finite
+  void fit_mixture(const Point_source& points, const Progress& progress);
+  void project(const Progress& progress);
+  void link(const Progress& progress);
+
+  Plain_mixture mixture() const;
+  std::vector<Plain_l1_sample> samples() const;
+  Plain_skeleton skeleton() const;
+
+  /// Number of components of the coarsest level of the mixture, and of samples.
+  std::size_t number_of_components() const;
+  std::size_t number_of_samples() const;
+  std::size_t number_of_points() const;
+
+  /// Fills the lists of the points of every vertex. \pre `link()` is done
+  void fill_point_indices(const Index_lists& lists) const;
+
+private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_COMPILED
+#include <CGAL/Point_set_skeletonization_3/internal/interface/Published_skeletonizer_impl.h>
+#endif
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_PUBLISHED_SKELETONIZER_H

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_PUBLISHED_SKELETONIZER_IMPL_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_PUBLISHED_SKELETONIZER_IMPL_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Normalization.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Normalized_points.h>
+#include <CGAL/Point_set_skeletonization_3/internal/interface/Published_skeletonizer.h>
+#include <CGAL/Point_set_skeletonization_3/internal/interface/fill_indices.h>
+#include <CGAL/Point_set_skeletonization_3/internal/interface/plain_conversion.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/published_method.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+struct Published_skeletonizer::State
+{
+  Concurrency concurrency;
+  Published_options options;
+
+  Normalization normalization;
+  std::vector<Vector3> points;
+  std::vector<Gaussians> mixture; ///< Finest level first.
+  std::vector<L1_sample> samples;
+  Published_skeleton skeleton;
+};
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+Published_skeletonizer::Published_skeletonizer(Concurrency concurrency, unsigned int random_seed,
+                                               std::size_t number_of_iterations)
+  : state_(std::make_unique<State>())
+{
+  state_->concurrency = concurrency;
+  state_->options.em.random_seed = random_seed;
+  state_->options.projection.iterations = number_of_iterations;
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+Published_skeletonizer::Published_skeletonizer(Published_skeletonizer&&) noexcept = default;
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+Published_skeletonizer&
+Published_skeletonizer::operator=(Published_skeletonizer&&) noexcept = default;
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+Published_skeletonizer::~Published_skeletonizer() = default;
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+void Published_skeletonizer::fit_mixture(const Point_source& points, const Progress& progress)
+{
+  State& state = *state_;
+  state.mixture.clear();
+  state.samples.clear();
+  state.skeleton = Published_skeleton();
+  state.normalization = normalization_of(points, state.concurrency);
+  state.points = copied_points({points, state.normalization});
+  state.mixture = published_mixture(state.points, state.options, state.concurrency, progress);
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+void Published_skeletonizer::project(const Progress& progress)
+{
+  State& state = *state_;
+  state.samples.clear();
+  state.skeleton = Published_skeleton();
+  state.samples = published_samples(state.points, state.mixture, state.options,
+                                    state.concurrency, progress);
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+void Published_skeletonizer::link(const Progress& progress)
+{
+  State& state = *state_;
+  state.skeleton = Published_skeleton();
+  state.skeleton = published_skeleton(state.points, state.samples, state.options,
+                                      state.concurrency, progress);
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+Plain_mixture Published_skeletonizer::mixture() const
+{
+  return to_plain(state_->mixture, 0, state_->normalization);
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+std::vector<Plain_l1_sample> Published_skeletonizer::samples() const
+{
+  const Normalization& normalization = state_->normalization;
+  std::vector<Plain_l1_sample> result;
+  for(const L1_sample& s : state_->samples)
+    result.push_back({to_plain(s.origin, normalization), to_plain(s.position, normalization),
+                      s.kernel_radius * normalization.diagonal(),
+                      s.radius * normalization.diagonal()});
+  return result;
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+Plain_skeleton Published_skeletonizer::skeleton() const
+{
+  return to_plain(state_->skeleton.graph, state_->normalization);
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+std::size_t Published_skeletonizer::number_of_components() const
+{
+  return state_->mixture.empty() ? 0 : state_->mixture.back().size();
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+std::size_t Published_skeletonizer::number_of_samples() const { return state_->samples.size(); }
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+std::size_t Published_skeletonizer::number_of_points() const { return state_->points.size(); }
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+void Published_skeletonizer::fill_point_indices(const Index_lists& lists) const
+{
+  const std::vector<std::size_t>& vertex_of_point = state_->skeleton.vertex_of_point;
+  fill_indices(
+    vertex_of_point.size(), state_->skeleton.graph.vertices.size(),
+    [&](std::size_t p) { return vertex_of_point[p]; }, [](std::size_t) {}, lists,
+    state_->concurrency);
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_PUBLISHED_SKELETONIZER_IMPL_H

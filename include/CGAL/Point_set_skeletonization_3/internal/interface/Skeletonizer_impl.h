@@ -1,0 +1,316 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_SKELETONIZER_IMPL_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_SKELETONIZER_IMPL_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Normalization.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Normalized_points.h>
+#include <CGAL/Point_set_skeletonization_3/internal/interface/Skeletonizer.h>
+#include <CGAL/Point_set_skeletonization_3/internal/interface/fill_indices.h>
+#include <CGAL/Point_set_skeletonization_3/internal/interface/plain_conversion.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Grid_mixture.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Moment_grid.h>
+#include <CGAL/Point_set_skeletonization_3/internal/pipeline/link_samples.h>
+#include <CGAL/Point_set_skeletonization_3/internal/pipeline/medial_surface.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+struct Skeletonizer::State
+{
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t number_of_levels = 3; // for who reads the mixture; we read the first
+
+  Concurrency concurrency;
+  Linking_options linking;
+
+  Normalization normalization;
+  Cells_of_points cell_of_point;  ///< In the finest level; none of points that were streamed.
+  std::vector<Gaussians> mixture; ///< Finest level first.
+  double cell_size = 0;           ///< Of the finest level.
+
+  std::optional<Medial_surface> medial;
+
+  Skeleton_graph graph;
+  std::vector<std::size_t> vertex_of_sample, vertex_of_component; ///< `none` for outliers.
+  std::size_t number_of_outliers = 0;
+
+  void set_mixture(Grid_mixture grid)
+  {
+    for(const Grid_level& level : grid.levels)
+      mixture.push_back(level.gaussians());
+    if(!grid.levels.empty())
+      cell_size = grid.levels.front().grid.cell_size();
+    cell_of_point = std::move(grid.cell_of_point);
+  }
+
+  void forget_mixture()
+  {
+    forget_samples();
+    mixture.clear();
+    cell_of_point = Cells_of_points();
+    cell_size = 0;
+  }
+
+  void forget_samples()
+  {
+    forget_skeleton();
+    medial.reset();
+  }
+
+  void forget_skeleton()
+  {
+    graph = Skeleton_graph();
+    vertex_of_sample.clear();
+    vertex_of_component.clear();
+    number_of_outliers = 0;
+  }
+
+  /// The points of the surface, those of one sample after the other. With noise they are those of the
+  /// mixture as it was read.
+  std::vector<Surface_point> surface_points() const
+  {
+    const std::vector<std::size_t>& patch = medial->consolidated.patch_of_component;
+    std::vector<Surface_point> result;
+    result.reserve(patch.size());
+    for(std::size_t i = 0; i < patch.size(); ++i)
+      if(patch[i] != Consolidated_mixture::none)
+        result.push_back({patch[i], mixture.front()[i].mean});
+    const auto is_before = [](const Surface_point& a, const Surface_point& b) {
+      return a.sample < b.sample;
+    };
+    if(!std::is_sorted(result.begin(), result.end(), is_before)) // where nothing has moved they are
+      std::stable_sort(result.begin(), result.end(), is_before);
+    return result;
+  }
+
+  void assign_components()
+  {
+    const std::vector<std::size_t>& patch = medial->consolidated.patch_of_component;
+    double outlier_weight = 0;
+    vertex_of_component.resize(patch.size());
+    for(std::size_t i = 0; i < patch.size(); ++i) {
+      vertex_of_component[i] =
+        patch[i] == Consolidated_mixture::none ? none : vertex_of_sample[patch[i]];
+      if(vertex_of_component[i] == none)
+        outlier_weight += mixture.front()[i].weight;
+    }
+    number_of_outliers = static_cast<std::size_t>(outlier_weight); // a sum of whole numbers
+  }
+
+  template <typename Forget>
+  void fill_point_indices(const Index_lists& lists, const Forget& forget_points_below) const
+  {
+    fill_indices(
+      cell_of_point.size(), graph.vertices.size(),
+      [this](std::size_t p) { return vertex_of_component[cell_of_point[p]]; },
+      forget_points_below, lists, concurrency);
+  }
+};
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+Skeletonizer::Skeletonizer(Concurrency concurrency, bool single_component)
+  : state_(std::make_unique<State>())
+{
+  state_->concurrency = concurrency;
+  state_->linking.single_component = single_component;
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+Skeletonizer::Skeletonizer(Skeletonizer&&) noexcept = default;
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+Skeletonizer& Skeletonizer::operator=(Skeletonizer&&) noexcept = default;
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+Skeletonizer::~Skeletonizer() = default;
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+void Skeletonizer::fit_mixture(const Point_source& points, const Progress& progress)
+{
+  State& state = *state_;
+  state.forget_mixture();
+  state.normalization = normalization_of(points, state.concurrency, progress.part(0, 0.2));
+  state.set_mixture(grid_mixture({points, state.normalization}, Grid_options(),
+                                 State::number_of_levels, state.concurrency,
+                                 progress.part(0.2, 1)));
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+void Skeletonizer::fit_mixture(const Moment_grid& points, const Normalization& normalization)
+{
+  state_->forget_mixture();
+  state_->normalization = normalization;
+  state_->set_mixture(grid_mixture(points, Grid_options(), State::number_of_levels));
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+void Skeletonizer::set_mixture(const Plain_mixture& mixture)
+{
+  State& state = *state_;
+  state.forget_mixture();
+  if(mixture.levels.empty() || mixture.levels.front().empty())
+    return;
+  Extent extent;
+  for(std::size_t i = 0; i < mixture.levels.front().size(); ++i)
+    extent.add(i, to_vector(mixture.levels.front()[i].mean));
+  state.normalization = extent.normalization();
+  for(const std::vector<Plain_gaussian>& level : mixture.levels) {
+    state.mixture.emplace_back();
+    for(const Plain_gaussian& g : level)
+      state.mixture.back().push_back(from_plain(g, state.normalization));
+  }
+  state.cell_size = mixture.cell_size / state.normalization.diagonal();
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+void Skeletonizer::project(const Progress& progress)
+{
+  State& state = *state_;
+  state.forget_samples();
+  if(!state.mixture.empty())
+    state.medial = medial_surface(state.mixture.front(), state.cell_size,
+                                  Medial_surface_options(), state.concurrency, progress);
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+void Skeletonizer::set_samples(const Plain_samples& plain)
+{
+  State& state = *state_;
+  state.forget_mixture();
+  if(plain.samples.empty())
+    return;
+  Extent extent;
+  for(std::size_t i = 0; i < plain.samples.size(); ++i)
+    extent.add(i, to_vector(plain.samples[i].patch.mean));
+  state.normalization = extent.normalization();
+
+  Consolidated_mixture patches;
+  Samples samples;
+  for(const Plain_sample& sample : plain.samples) {
+    patches.patches.push_back(from_plain(sample.patch, state.normalization));
+    samples.push_back({state.normalization.to_unit(to_vector(sample.point)),
+                       sample.radius / state.normalization.diagonal()});
+  }
+  patches.noise = plain.noise;
+  patches.tree = Box_tree(means_of(patches.patches), state.concurrency);
+  patches.neighbors =
+    k_nearest_neighbors(patches.tree, surface_neighbors + 1, state.concurrency);
+  Surface surface =
+    build_surface(patches.patches, patches.tree, patches.neighbors, state.concurrency);
+
+  // The points of the surface take the place of the mixture's components.
+  state.mixture.emplace_back();
+  for(const auto& [point, sample] : plain.surface) {
+    state.mixture.front().push_back(
+      {0, state.normalization.to_unit(to_vector(point)), Matrix3::Zero()});
+    patches.patch_of_component.push_back(sample);
+  }
+  if(plain.surface.empty()) {
+    state.mixture.front() = patches.patches;
+    for(std::size_t i = 0; i < samples.size(); ++i)
+      patches.patch_of_component.push_back(i);
+  }
+  state.medial = Medial_surface{std::move(patches), std::move(surface), std::move(samples)};
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+void Skeletonizer::link(const Progress& progress)
+{
+  State& state = *state_;
+  state.forget_skeleton();
+  if(!state.medial)
+    return;
+  const Medial_surface& medial = *state.medial;
+  Linked_samples linked =
+    link_samples(medial.surface, medial.samples, medial.consolidated.noise,
+                 state.surface_points(), state.linking, state.concurrency, progress);
+  state.graph = std::move(linked.graph);
+  state.vertex_of_sample = std::move(linked.vertex_of_sample);
+  state.assign_components();
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+Plain_mixture Skeletonizer::mixture() const
+{
+  return to_plain(state_->mixture, state_->cell_size, state_->normalization);
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+Plain_samples Skeletonizer::samples() const
+{
+  Plain_samples result;
+  if(!state_->medial)
+    return result;
+  const Medial_surface& medial = *state_->medial;
+  const Normalization& normalization = state_->normalization;
+  for(std::size_t i = 0; i < medial.samples.size(); ++i)
+    result.samples.push_back({to_plain(medial.consolidated.patches[i], normalization),
+                              to_plain(medial.samples[i].position, normalization),
+                              medial.samples[i].radius * normalization.diagonal()});
+  result.noise = medial.consolidated.noise;
+  for(const Surface_point& p : state_->surface_points())
+    result.surface.emplace_back(to_plain(p.position, normalization), p.sample);
+  return result;
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+Plain_skeleton Skeletonizer::skeleton() const
+{
+  return to_plain(state_->graph, state_->normalization);
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+std::size_t Skeletonizer::number_of_components() const
+{
+  return state_->mixture.empty() ? 0 : state_->mixture.front().size();
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+std::size_t Skeletonizer::number_of_samples() const
+{
+  return state_->medial ? state_->medial->samples.size() : 0;
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+std::size_t Skeletonizer::number_of_outliers() const { return state_->number_of_outliers; }
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+std::size_t Skeletonizer::number_of_points() const { return state_->cell_of_point.size(); }
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+void Skeletonizer::fill_point_indices(const Index_lists& lists) const
+{
+  state_->fill_point_indices(lists, [](std::size_t) {});
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+void Skeletonizer::fill_point_indices_and_forget(const Index_lists& lists)
+{
+  state_->fill_point_indices(
+    lists, [this](std::size_t end) { state_->cell_of_point.forget_below(end); });
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+void Skeletonizer::fill_sample_indices(const Index_lists& lists) const
+{
+  const std::vector<std::size_t>& vertex_of_sample = state_->vertex_of_sample;
+  fill_indices(
+    vertex_of_sample.size(), state_->graph.vertices.size(),
+    [&](std::size_t i) { return vertex_of_sample[i]; }, [](std::size_t) {}, lists,
+    state_->concurrency);
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_SKELETONIZER_IMPL_H

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_STEPS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_STEPS_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
+
+#include <utility>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// The steps of a skeletonization, which are done in their order: how many are, and the user's callback.
+class Steps
+{
+public:
+  explicit Steps(Progress progress) : progress_(std::move(progress)) {}
+
+  /// How many are done.
+  int done() const { return done_; }
+
+  /// Does step `number` by calling `step(progress)`; it covers [`begin`, `end`] of the whole.
+  /// \returns `false` if the callback cancelled; the step is not done then
+  template <typename Step>
+  bool run(int number, double begin, double end, const Step& step)
+  {
+    done_ = number - 1;
+    try {
+      step(progress_.part(begin, end));
+    } catch(const Cancelled&) {
+      return false;
+    }
+    done_ = number;
+    return true;
+  }
+
+private:
+  Progress progress_;
+  int done_ = 0;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_STEPS_H

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_PLAIN_CONVERSION_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_PLAIN_CONVERSION_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Normalization.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/interface/plain_data.h>
+
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+// Normalised internals to plain data in the coordinates of the input, and back.
+
+inline Vector3 to_vector(const Plain_point& p) { return {p[0], p[1], p[2]}; }
+
+inline Plain_point to_plain(const Vector3& p, const Normalization& normalization)
+{
+  const Vector3 q = normalization.from_unit(p);
+  return {{q.x(), q.y(), q.z()}};
+}
+
+inline Plain_gaussian to_plain(const Gaussian& g, const Normalization& normalization)
+{
+  const Matrix3 c = normalization.covariance_from_unit(g.covariance);
+  return {g.weight,
+          to_plain(g.mean, normalization),
+          {{c(0, 0), c(0, 1), c(0, 2), c(1, 1), c(1, 2), c(2, 2)}}};
+}
+
+inline Gaussian from_plain(const Plain_gaussian& g, const Normalization& normalization)
+{
+  const std::array<double, 6>& c = g.covariance;
+  Matrix3 covariance;
+  covariance << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
+  return {g.weight, normalization.to_unit(to_vector(g.mean)),
+          normalization.covariance_to_unit(covariance)};
+}
+
+inline Plain_mixture to_plain(const std::vector<Gaussians>& levels, double cell_size,
+                              const Normalization& normalization)
+{
+  Plain_mixture result;
+  for(const Gaussians& level : levels) {
+    result.levels.emplace_back();
+    for(const Gaussian& g : level)
+      result.levels.back().push_back(to_plain(g, normalization));
+  }
+  result.cell_size = cell_size * normalization.diagonal();
+  return result;
+}
+
+inline Plain_skeleton to_plain(const Skeleton_graph& graph, const Normalization& normalization)
+{
+  Plain_skeleton result;
+  for(const Skeleton_graph::Vertex& vertex : graph.vertices)
+    result.vertices.push_back({to_plain(vertex.position, normalization),
+                               vertex.radius * normalization.diagonal()});
+  result.edges = graph.edges;
+  return result;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_PLAIN_CONVERSION_H

@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_PLAIN_DATA_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_PLAIN_DATA_H
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+// What the stages hand out, in the coordinates of the input, and without a kernel: the public data
+// structures are made from it.
+
+using Plain_point = std::array<double, 3>;
+
+struct Plain_gaussian
+{
+  double weight = 0;
+  Plain_point mean{};
+  std::array<double, 6> covariance{}; ///< The upper triangle, row by row.
+};
+
+struct Plain_mixture
+{
+  std::vector<std::vector<Plain_gaussian>> levels; ///< Finest level first.
+  double cell_size = 0;                            ///< Of the finest level; 0: it has no cells.
+};
+
+struct Plain_sample
+{
+  Plain_gaussian patch;
+  Plain_point point{};
+  double radius = 0;
+};
+
+struct Plain_samples
+{
+  std::vector<Plain_sample> samples;
+  double noise = 0; ///< In [0, 1].
+  std::vector<std::pair<Plain_point, std::size_t>> surface; ///< Points with their samples.
+};
+
+struct Plain_l1_sample
+{
+  Plain_point origin{}, point{};
+  double kernel_radius = 0, radius = 0;
+};
+
+struct Plain_vertex
+{
+  Plain_point point{};
+  double radius = 0;
+};
+
+struct Plain_skeleton
+{
+  std::vector<Plain_vertex> vertices;
+  std::vector<std::pair<std::size_t, std::size_t>> edges;
+};
+
+/// The lists of the points of every vertex, of whatever type, to be filled.
+struct Index_lists
+{
+  std::size_t bytes_of_index; ///< 1, 2, 4 or 8.
+  /// Makes room for a number of indices in the list of a vertex.
+  std::function<void(std::size_t vertex, std::size_t capacity)> reserve;
+  /// Makes the list of a vertex as long, and returns its first index. May be called concurrently.
+  std::function<void*(std::size_t vertex, std::size_t size)> resize;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_PLAIN_DATA_H

@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MIXTURE_CELL_MAP_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MIXTURE_CELL_MAP_H
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// A hash table from packed cells to small values, with open addressing and Fibonacci hashing (Knuth,
+/// The Art of Computer Programming 6.4). At most half of its slots are taken, so that a cell is nearly
+/// always in the first or second slot that is looked at.
+template <typename Value>
+class Cell_map
+{
+public:
+  Cell_map() = default;
+
+  /// With room for `size` cells.
+  explicit Cell_map(std::size_t size)
+  {
+    while(capacity() < 2 * size)
+      --shift_;
+    slots_.resize(capacity());
+  }
+
+  /// Number of cells.
+  std::size_t size() const { return size_; }
+
+  /// The value of a cell; a new cell gets a default one.
+  Value& operator[](std::uint64_t cell)
+  {
+    if(2 * size_ >= slots_.size())
+      grow();
+    Slot& slot = slots_[slot_of(cell)];
+    if(slot.cell == empty) {
+      slot.cell = cell;
+      ++size_;
+    }
+    return slot.value;
+  }
+
+  /// The value of a cell. \pre it is there
+  const Value& at(std::uint64_t cell) const { return slots_[slot_of(cell)].value; }
+
+  /// Calls `visit(cell, value)` for every cell, in no particular order.
+  template <typename Visit>
+  void for_each(const Visit& visit) const
+  {
+    for(const Slot& slot : slots_)
+      if(slot.cell != empty)
+        visit(slot.cell, slot.value);
+  }
+
+private:
+  static constexpr std::uint64_t empty = ~std::uint64_t(0); // a packed cell has fewer bits
+
+  struct Slot
+  {
+    std::uint64_t cell = empty;
+    Value value = Value();
+  };
+
+  std::size_t capacity() const { return std::size_t(1) << (64 - shift_); }
+
+  /// Where a cell is, or would be.
+  std::size_t slot_of(std::uint64_t cell) const
+  {
+    constexpr std::uint64_t golden_ratio = 0x9E3779B97F4A7C15u; // times 2^64
+    std::size_t slot = cell * golden_ratio >> shift_;
+    while(slots_[slot].cell != empty && slots_[slot].cell != cell)
+      slot = (slot + 1) & (slots_.size() - 1);
+    return slot;
+  }
+
+  void grow()
+  {
+    if(!slots_.empty())
+      --shift_;
+    std::vector<Slot> old(capacity());
+    old.swap(slots_);
+    for(const Slot& slot : old)
+      if(slot.cell != empty)
+        slots_[slot_of(slot.cell)] = slot;
+  }
+
+  std::vector<Slot> slots_; ///< Their number is a power of two.
+  int shift_ = 64 - 7;      ///< Leaves the first bits of a hash, the number of a slot.
+  std::size_t size_ = 0;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MIXTURE_CELL_MAP_H

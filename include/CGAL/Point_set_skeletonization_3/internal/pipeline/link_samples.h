@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PIPELINE_LINK_SAMPLES_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PIPELINE_LINK_SAMPLES_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/fit_curve.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Ball_overlaps.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/local_separators.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// A skeleton, and the vertex of every sample.
+struct Linked_samples
+{
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  Skeleton_graph graph;
+  std::vector<std::size_t> vertex_of_sample; ///< `none` for outliers.
+};
+
+struct Linking_options
+{
+  /// Whether all parts are joined, not only those between which a gap in the data is plausible.
+  bool single_component = false;
+};
+
+/// Stage 3: samples to a curve skeleton.
+///
+/// \param noise in [0, 1], how much of it was taken off the surface
+/// \param points the points of the surface as they were read, noise and all, each with its sample: taking
+///        noise off draws what is curved to the inside. Those of a sample are next to each other
+/// \pre there is a sample
+inline Linked_samples link_samples(const Surface& surface, const Samples& samples, double noise,
+                                   std::vector<Surface_point> points,
+                                   const Linking_options& options, Concurrency concurrency,
+                                   const Progress& progress)
+{
+  // Without noise the ball of a patch is unknown where limbs touch; noise hides it in any thin limb.
+  const Ball_overlaps overlaps(surface.patches, samples, noise, concurrency);
+  progress(0.1);
+  const std::vector<Local_separator> separators =
+    local_separators(surface, samples, overlaps, concurrency);
+  progress(0.6);
+  const Surface_quotient quotient =
+    surface_quotient(surface.patches, samples, overlaps, separators, concurrency);
+  const Pruned_quotient pruned = prune(quotient, surface.patches);
+  progress(0.7);
+
+  const auto is_outlier = [&](std::size_t sample) {
+    return pruned.is_stray[quotient.vertex_of_patch[sample]];
+  };
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [&](const Surface_point& p) { return is_outlier(p.sample); }),
+               points.end());
+  Linked_samples result;
+  result.graph = fit_curve(pruned.graph, surface, samples, points, noise,
+                           options.single_component, concurrency);
+  progress(0.95);
+  result.vertex_of_sample = vertices_of_samples(result.graph, surface, samples, concurrency);
+  for(std::size_t i = 0; i < samples.size(); ++i)
+    if(is_outlier(i))
+      result.vertex_of_sample[i] = Linked_samples::none;
+  progress(1);
+  return result;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PIPELINE_LINK_SAMPLES_H

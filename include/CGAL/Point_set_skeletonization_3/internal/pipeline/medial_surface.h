@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PIPELINE_MEDIAL_SURFACE_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PIPELINE_MEDIAL_SURFACE_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/consolidation/consolidate.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/medial_samples.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
+
+#include <utility>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// A surface without noise, and a sample in the middle of the shape for each of its patches.
+struct Medial_surface
+{
+  Consolidated_mixture consolidated;
+  Surface surface;
+  Samples samples;
+};
+
+struct Medial_surface_options
+{
+  Consolidation_options consolidation;
+  Medial_options samples;
+};
+
+/// Stage 2: the components of a mixture to samples in the middle of the shape. `cell_size` is the width
+/// of the cells that the components are the points of. \pre there is a component
+inline Medial_surface medial_surface(const Gaussians& components, double cell_size,
+                                     const Medial_surface_options& options,
+                                     Concurrency concurrency, const Progress& progress)
+{
+  Consolidated_mixture consolidated =
+    consolidate(components, cell_size, options.consolidation, concurrency);
+  progress(0.4);
+  Surface surface =
+    build_surface(consolidated.patches, consolidated.tree, consolidated.neighbors, concurrency);
+  progress(0.7);
+  Samples samples = medial_samples(surface, options.samples, concurrency);
+  progress(1);
+  return {std::move(consolidated), std::move(surface), std::move(samples)};
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PIPELINE_MEDIAL_SURFACE_H

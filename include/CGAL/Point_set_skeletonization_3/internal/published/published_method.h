@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_PUBLISHED_METHOD_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_PUBLISHED_METHOD_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Normalized_points.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/Point_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/branch_detection.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/branch_merging.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/hierarchical_em.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/nearest_neighbor_gaussians.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/published_projection.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+// The method as published, stage by stage: kNN start, hierarchical EM, samples drawn from the points, a
+// fixed number of iterations with linearly growing kernels, Algorithm 1 on a mixture of the samples.
+
+struct Published_options
+{
+  Nearest_neighbor_options nearest_neighbors;
+  Hierarchical_em_options em;
+  Published_projection_options projection;
+  Branch_detection_options branches;
+};
+
+/// All points of a cloud; the published method needs them.
+inline std::vector<Vector3> copied_points(const Normalized_points& points)
+{
+  std::vector<Vector3> result;
+  result.reserve(points.size());
+  for(std::size_t b = 0; b < points.number_of_blocks(); ++b) {
+    const Point_block block = points.block(b);
+    result.insert(result.end(), block.begin(), block.end());
+  }
+  return result;
+}
+
+/// Stage 1: points to a hierarchy of mixtures, finest level first; none of no points.
+inline std::vector<Gaussians> published_mixture(const std::vector<Vector3>& points,
+                                                const Published_options& options,
+                                                Concurrency concurrency, const Progress& progress)
+{
+  if(points.empty())
+    return {};
+  Gaussians start = nearest_neighbor_gaussians(points, options.nearest_neighbors, concurrency);
+  const double h = initial_kernel_radius(points.size());
+  const std::vector<double> density =
+    densities(points, [&](std::size_t) { return h; }, concurrency);
+  for(std::size_t i = 0; i < start.size(); ++i)
+    start[i].weight /= density[i]; // Eq. 7: alpha_j / v_j
+  progress(0.5);
+  std::vector<Gaussians> result = hierarchical_em(std::move(start), options.em, concurrency);
+  progress(1);
+  return result;
+}
+
+/// Points of the input that become samples. The paper says "a small subset"; Huang et al. (2013)
+/// take a twentieth. Never so few that a limb goes without.
+inline std::size_t published_number_of_samples(std::size_t points)
+{
+  constexpr std::size_t fraction = 20, least = 500;
+  return std::min(points, std::max(points / fraction, least));
+}
+
+/// Samples drawn from the points: a seeded choice by the position of a point, not by its index, and so
+/// independent of their order.
+inline std::vector<L1_sample> drawn_samples(const std::vector<Vector3>& points,
+                                            unsigned int random_seed)
+{
+  std::vector<std::pair<std::uint64_t, std::size_t>> order;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    order.emplace_back(position_hash(points[i], random_seed), i);
+  std::sort(order.begin(), order.end());
+  order.resize(published_number_of_samples(order.size()));
+  std::vector<L1_sample> drawn(order.size());
+  for(std::size_t k = 0; k < drawn.size(); ++k) {
+    drawn[k].origin = drawn[k].position = points[order[k].second];
+    drawn[k].kernel_radius = initial_kernel_radius(points.size());
+  }
+  return drawn;
+}
+
+/// Stage 2: samples of the points, moved to the L1-medians of the coarsest level of the mixture.
+inline std::vector<L1_sample> published_samples(const std::vector<Vector3>& points,
+                                                const std::vector<Gaussians>& mixture,
+                                                const Published_options& options,
+                                                Concurrency concurrency, const Progress& progress)
+{
+  if(mixture.empty())
+    return {};
+  std::vector<L1_sample> samples =
+    project_as_published(drawn_samples(points, options.em.random_seed), mixture.back(),
+                         options.projection, concurrency, progress);
+  const Point_search surface(means_of(mixture.back()));
+  for(L1_sample& s : samples)
+    s.radius = std::sqrt(surface.nearest(s.position).squared_distance);
+  return samples;
+}
+
+/// A skeleton, and the vertex of every input point.
+struct Published_skeleton
+{
+  Skeleton_graph graph;
+  std::vector<std::size_t> vertex_of_point;
+};
+
+/// Stage 3: samples to a tree. A point belongs to the sample that started nearest to it, a sample to the
+/// nearest vertex.
+inline Published_skeleton published_skeleton(const std::vector<Vector3>& points,
+                                             const std::vector<L1_sample>& samples,
+                                             const Published_options& options,
+                                             Concurrency concurrency, const Progress& progress)
+{
+  Published_skeleton result;
+  if(samples.empty())
+    return result;
+  std::vector<Vector3> positions, starts;
+  for(const L1_sample& s : samples) {
+    positions.push_back(s.position);
+    starts.push_back(s.origin);
+  }
+  const Gaussians mixture =
+    hierarchical_em(
+      nearest_neighbor_gaussians(positions, options.nearest_neighbors, concurrency), options.em,
+      concurrency)
+      .back();
+  progress(0.3);
+  Skeleton_graph& graph = result.graph;
+  graph = link_branches(mixture, detect_longest_branches(mixture, options.branches));
+  progress(0.8);
+
+  std::vector<Vector3> vertices;
+  for(const Skeleton_graph::Vertex& vertex : graph.vertices)
+    vertices.push_back(vertex.position);
+  const Point_search nearest_vertex(vertices);
+  std::vector<std::size_t> vertex_of_sample(samples.size());
+  std::vector<double> count(vertices.size(), 0);
+  for(std::size_t i = 0; i < samples.size(); ++i) {
+    const std::size_t v = vertex_of_sample[i] = nearest_vertex.nearest(positions[i]).index;
+    graph.vertices[v].radius += (samples[i].radius - graph.vertices[v].radius) / ++count[v];
+  }
+  const Point_search nearest_start(starts);
+  result.vertex_of_point.resize(points.size());
+  parallel_for(concurrency, points.size(), [&](std::size_t p) {
+    result.vertex_of_point[p] = vertex_of_sample[nearest_start.nearest(points[p]).index];
+  });
+  progress(1);
+  return result;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_PUBLISHED_METHOD_H

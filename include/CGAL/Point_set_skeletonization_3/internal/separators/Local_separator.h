@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_LOCAL_SEPARATOR_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_LOCAL_SEPARATOR_H
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// Patches that cut the surface around them in two: a ring around a limb, whatever the shape of its
+/// cross-section. (Baerentzen & Rotenberg 2021 call it a local separator and find it by growing a
+/// region from a point of the surface; we grow it from the centre of the shape, and so closer to a
+/// cross-section.)
+struct Local_separator
+{
+  std::vector<std::size_t> patches;              ///< Ascending; empty if there is no separator.
+  std::array<std::vector<std::size_t>, 2> sides; ///< Patches next to it on either side, ascending.
+  double length = 0;                             ///< Sum of the spacings of its patches.
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_LOCAL_SEPARATOR_H

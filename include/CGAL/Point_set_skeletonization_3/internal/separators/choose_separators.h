@@ -1,0 +1,193 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_CHOOSE_SEPARATORS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_CHOOSE_SEPARATORS_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Per_thread.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Closed_curve.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Local_separator.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Path_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// Chooses separators that cut a limb, one after the other, none touching a patch of another.
+///
+/// A separator cuts a limb if there is no path on the surface from one side of it to the other, or only
+/// one around a hole of the shape. An arc that ends in holes of the data, or a ring around a dent, has
+/// a path around it that, closed, is contractible in the solid.
+class Separator_choice
+{
+public:
+  Separator_choice(std::vector<Local_separator> candidates, const Surface& surface,
+                   const Samples& samples, const Patch_graph& limbs, Concurrency concurrency)
+    : candidates_(std::move(candidates)), surface_(surface), samples_(samples),
+      concurrency_(concurrency),
+      search_(concurrency, [&] { return Path_search(surface.patches, limbs); }),
+      paths_(candidates_.size()), is_taken_(surface.patches.size(), false)
+  {}
+
+  /// To be called once. The candidates are taken in their order.
+  std::vector<Local_separator> run()
+  {
+    std::vector<Local_separator> result;
+    for(std::size_t s = 0; s < candidates_.size(); ++s) {
+      if(touches(candidates_[s], is_taken_))
+        continue;
+      if(!paths_[s])
+        find_paths(s);
+      // A contractible loop crosses no cross-section of a limb just once.
+      if(crosses_contractible_loop(candidates_[s]))
+        continue;
+      if(has_contractible_path(*paths_[s])) {
+        contractible_loops_.push_back(
+          search_.local().closed(paths_[s]->patches, candidates_[s]));
+        continue;
+      }
+      if(!paths_[s]->patches.empty() && paths_[s]->curve == none)
+        continue;
+      mark(candidates_[s], is_taken_);
+      result.push_back(std::move(candidates_[s]));
+    }
+    return result;
+  }
+
+private:
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  /// What the points show as a hole is surrounded by more patches than that.
+  static constexpr std::size_t around_a_tip = 4;
+
+  /// A path from one side of a separator to the other.
+  struct Path
+  {
+    Path_search::Path patches; ///< Empty if there is none.
+    std::size_t curve = none;  ///< The known curve that it can be moved onto, if it is long.
+  };
+
+  /// A closed curve that stands for all that can be moved onto it.
+  struct Known_curve
+  {
+    Closed_curve curve;
+    bool is_solid; ///< Else nothing can be moved onto it.
+    bool is_contractible;
+  };
+
+  static bool touches(const Local_separator& separator, const std::vector<bool>& is_marked)
+  {
+    return std::any_of(separator.patches.begin(), separator.patches.end(),
+                       [&](std::size_t i) { return is_marked[i]; });
+  }
+
+  static void mark(const Local_separator& separator, std::vector<bool>& is_marked)
+  {
+    for(std::size_t i : separator.patches)
+      is_marked[i] = true;
+  }
+
+  bool crosses_contractible_loop(const Local_separator& separator)
+  {
+    return std::any_of(contractible_loops_.begin(), contractible_loops_.end(),
+                       [&](const Path_search::Path& loop) {
+                         return search_.local().algebraic_intersection_number(loop, separator) != 0;
+                       });
+  }
+
+  bool has_contractible_path(const Path& path) const
+  {
+    return path.curve != none && curves_[path.curve].is_contractible;
+  }
+
+  /// Finds the path around a separator, and around all after it that will be asked for theirs whatever
+  /// is chosen until then: they touch neither what is taken nor a separator that comes before them. So
+  /// there is work for all threads.
+  void find_paths(std::size_t first)
+  {
+    std::vector<bool> is_before = is_taken_;
+    std::vector<std::size_t> wanted;
+    for(std::size_t s = first; s < candidates_.size(); ++s) {
+      if(touches(candidates_[s], is_taken_))
+        continue;
+      if(!paths_[s] && !touches(candidates_[s], is_before))
+        wanted.push_back(s);
+      mark(candidates_[s], is_before);
+    }
+    parallel_for(concurrency_, wanted.size(), [&](std::size_t k) {
+      paths_[wanted[k]].emplace();
+      paths_[wanted[k]]->patches = search_.local().around(candidates_[wanted[k]]);
+    });
+    const std::size_t known = curves_.size();
+    for(std::size_t s : wanted)
+      if(paths_[s]->patches.size() > around_a_tip)
+        paths_[s]->curve = curve_like(closed_curve(paths_[s]->patches, candidates_[s]));
+    parallel_for(concurrency_, curves_.size() - known, [&](std::size_t k) {
+      Known_curve& curve = curves_[known + k];
+      curve.is_contractible = curve.curve.is_contractible();
+    });
+  }
+
+  /// The curve through the samples of a path around a separator.
+  Closed_curve closed_curve(const Path_search::Path& path, const Local_separator& separator) const
+  {
+    std::vector<Vector3> positions;
+    for(std::size_t i : path)
+      positions.push_back(samples_[i].position);
+    return Closed_curve(positions, surface_.patches[separator.patches.front()].spacing,
+                        surface_.winding_number);
+  }
+
+  /// The index of a curve that is contractible if this one is: a known one, or a new one.
+  std::size_t curve_like(const Closed_curve& curve)
+  {
+    const auto found =
+      std::find_if(curves_.begin(), curves_.end(), [&](const Known_curve& known) {
+        return known.is_solid && curve.can_be_moved_onto(known.curve);
+      });
+    const auto result = static_cast<std::size_t>(found - curves_.begin());
+    if(found == curves_.end())
+      curves_.push_back({curve, curve.is_solid(), false});
+    return result;
+  }
+
+  std::vector<Local_separator> candidates_;
+  const Surface& surface_;
+  const Samples& samples_;
+  Concurrency concurrency_;
+  Per_thread<Path_search> search_;
+
+  // Found so far.
+  std::vector<std::optional<Path>> paths_; ///< Around every candidate.
+  std::vector<Known_curve> curves_;
+  std::vector<Path_search::Path> contractible_loops_; ///< Closed.
+  std::vector<bool> is_taken_;                        ///< Of every patch.
+};
+
+/// Those of some separators that cut a limb and do not touch one that comes before them. `limbs` is the
+/// graph of the patches without edges from one limb to another that it touches.
+inline std::vector<Local_separator> choose_separators(std::vector<Local_separator> candidates,
+                                                      const Surface& surface,
+                                                      const Samples& samples,
+                                                      const Patch_graph& limbs,
+                                                      Concurrency concurrency)
+{
+  return Separator_choice(std::move(candidates), surface, samples, limbs, concurrency).run();
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_CHOOSE_SEPARATORS_H

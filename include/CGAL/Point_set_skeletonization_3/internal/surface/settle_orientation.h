@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_SETTLE_ORIENTATION_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_SETTLE_ORIENTATION_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Packet_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Winding_number.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/inside.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// Whether the normals around a patch enclose less than 60 degrees with its own, in the mean.
+inline bool is_like_its_neighbors(const Patch& patch, const Patches& patches)
+{
+  Vector3 sum = Vector3::Zero();
+  for(std::size_t j : patch.neighbors)
+    sum += patches[j].normal;
+  return patch.normal.dot(sum) > 0.5 * static_cast<double>(patch.neighbors.size());
+}
+
+/// The winding numbers at the patches: a half where the surroundings are oriented well, minus a half
+/// where they are inside out, and 0 on an open sheet, which has no inside. What is inside out is a limb,
+/// larger than a few patches next to each other: where one of these is oriented well, so are the others.
+inline std::vector<double> winding_numbers_on_surface(const Winding_number& winding_number,
+                                                      const Box_tree& tree,
+                                                      Concurrency concurrency)
+{
+  constexpr double well = 0.25;
+  const std::vector<Vector3>& positions = tree.positions();
+  std::vector<Vector3> first_of_packets;
+  for(std::size_t place = 0; place < positions.size(); place += packet_size)
+    first_of_packets.push_back(positions[place]);
+  const std::vector<double> of_packets = winding_number.at_places(first_of_packets, concurrency);
+  std::vector<std::size_t> unsure; // places in the tree
+  std::vector<Vector3> unsure_positions;
+  for(std::size_t place = 0; place < positions.size(); ++place)
+    if(of_packets[place / packet_size] < well) {
+      unsure.push_back(place);
+      unsure_positions.push_back(positions[place]);
+    }
+  const std::vector<double> of_unsure = winding_number.at_places(unsure_positions, concurrency);
+  std::vector<double> result(positions.size(), 0.5);
+  for(std::size_t k = 0; k < unsure.size(); ++k)
+    result[tree.order()[unsure[k]]] = of_unsure[k];
+  return result;
+}
+
+/// Turns the patches around whose normals point into the shape: the spanning tree of the orientation
+/// may have taken a wrong turn at a thin or sharp place. The rest of the surface tells: it winds once
+/// around what is behind a patch, and not around what is in front. First whole limbs that are inside
+/// out, then patches unlike their neighbours that have more inside in front of them than behind.
+/// Returns the winding number of what comes out.
+inline Winding_number settle_orientation(Patches& patches, const Box_tree& tree,
+                                         Concurrency concurrency)
+{
+  Winding_number winding_number(patches, tree, concurrency);
+  const auto turn_where = [&](const auto& is_wrong) {
+    std::vector<char> wrong(patches.size());
+    parallel_for(concurrency, patches.size(), [&](std::size_t i) { wrong[i] = is_wrong(i); });
+    for(std::size_t i = 0; i < patches.size(); ++i)
+      if(wrong[i])
+        patches[i].normal = -patches[i].normal;
+    if(std::any_of(wrong.begin(), wrong.end(), [](char is) { return is; }))
+      winding_number = Winding_number(patches, tree, concurrency);
+  };
+  const std::vector<double> on_surface =
+    winding_numbers_on_surface(winding_number, tree, concurrency);
+  turn_where([&](std::size_t i) { return on_surface[i] < inside_out; });
+  turn_where([&](std::size_t i) {
+    const Patch& patch = patches[i];
+    if(is_like_its_neighbors(patch, patches))
+      return false;
+    const Vector3 step = patch.spacing * patch.normal;
+    const auto [in_front, behind] =
+      winding_number(std::array<Vector3, 2>{{patch.mean + step, patch.mean - step}});
+    return in_front > behind;
+  });
+  return winding_number;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_SETTLE_ORIENTATION_H

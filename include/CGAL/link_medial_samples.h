@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_LINK_MEDIAL_SAMPLES_H
+#define CGAL_LINK_MEDIAL_SAMPLES_H
+
+#include <CGAL/Curve_skeleton_3.h>
+#include <CGAL/Medial_sample_3.h>
+#include <CGAL/Point_set_skeletonization_3/internal/interface/Skeletonizer.h>
+#include <CGAL/Point_set_skeletonization_3/internal/interface/Steps.h>
+#include <CGAL/Point_set_skeletonization_3/internal/interface/named_parameters.h>
+#include <CGAL/Point_set_skeletonization_3/internal/interface/public_data.h>
+#include <CGAL/Point_set_skeletonization_3/parameters.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+
+namespace CGAL {
+
+/// Stage 3 alone: samples in the middle of the shape to a curve skeleton, as
+/// `L1_medial_skeletonization_3::link()` does. The patches of the samples are read as a surface, which
+/// is cut along local separators; its pieces become a graph, and that is centred. O(n log n) in practice.
+///
+/// \param samples from `compute_medial_samples()`, or made elsewhere: of every sample the mean and the
+///        weight of its patch, its point and its radius
+/// \param skeleton replaced by the result; left untouched if the callback cancels or on an exception. The
+///        `indices` of a vertex, if it has them, are the positions in `samples.samples` of the samples
+///        that it stands for
+/// \param np `callback`, `single_component`; see `extract_l1_medial_skeleton()`
+/// \returns `false` if the callback cancelled
+/// \throws std::invalid_argument if a mean is not finite; the message names the sample as a point
+/// \throws std::length_error if the samples outnumber the values of an index
+/// \pre `samples.noise` is in [0, 1], and `samples.surface` names no sample that is not there
+template <typename ConcurrencyTag = Sequential_tag, typename GeomTraits, typename SkeletonGraph,
+          typename NamedParameters = parameters::Default_named_parameters>
+bool link_medial_samples(const Medial_samples_3<GeomTraits>& samples, SkeletonGraph& skeleton,
+                         const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Point_set_skeletonization_3::internal;
+  static_assert(internal::Has_only<NamedParameters, internal_np::callback_t,
+                                   internal_np::single_component_t>::value,
+                "unknown named parameter: known are callback, single_component");
+  CGAL_precondition(samples.noise >= 0 && samples.noise <= 1);
+  CGAL_precondition(
+    std::all_of(samples.surface.begin(), samples.surface.end(),
+                [&](const auto& p) { return p.second < samples.samples.size(); }));
+  internal::Skeletonizer skeletonizer(internal::concurrency_of<ConcurrencyTag>(),
+                                      internal::is_single_component(np));
+  skeletonizer.set_samples(internal::to_plain(samples));
+  internal::Steps steps(internal::progress_of(np));
+  if(!steps.run(1, 0, 1, [&](const internal::Progress& progress) { skeletonizer.link(progress); }))
+    return false;
+  internal::set_public_skeleton<GeomTraits>(
+    skeletonizer.skeleton(), skeletonizer.number_of_samples(),
+    [&](const internal::Index_lists& lists) { skeletonizer.fill_sample_indices(lists); },
+    skeleton);
+  return true;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_LINK_MEDIAL_SAMPLES_H
