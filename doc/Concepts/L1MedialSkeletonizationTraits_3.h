@@ -4,11 +4,9 @@
 /*!
 \cgalConcept
 
-What `CGAL::extract_l1_medial_skeleton()`, `CGAL::L1_medial_skeletonization_3`,
-`CGAL::fit_gaussian_mixture()` and `CGAL::project_to_l1_medians()` ask of their geometric traits:
-two types. No predicate, no construction and no object of the traits is used; everything is computed
-in `double`, in coordinates in which the bounding box of the input is centred and has a diagonal of
-length 1.
+The requirements on the geometric traits of all functions and classes of this package: two types. No
+predicate, no construction and no object of the traits is used. All computations are done in `double`, in
+coordinates in which the bounding box of the input is centred at the origin and has a diagonal of length 1.
 
 \cgalHasModelsBegin
 \cgalHasModels{any CGAL kernel with inexact constructions over `float` or `double`\, such as
@@ -23,15 +21,15 @@ class L1MedialSkeletonizationTraits_3
 {
 public:
   /*!
-  `float` or `double`. It is converted to and from `double`, and constructed from 0.
+  `float` or `double`. It must be convertible to and from `double`, and constructible from 0.
   */
   typedef unspecified_type FT;
 
   /*!
-  A point. Default constructible, copyable and assignable; it has
+  A point: default constructible, copyable and assignable, with
 
   - a constructor from three `FT`, which also accepts `{0, 0, 0}`;
-  - members `x()`, `y()` and `z()` whose results `CGAL::to_double()` takes.
+  - members `x()`, `y()` and `z()`, whose results can be passed to `CGAL::to_double()`.
   */
   typedef unspecified_type Point_3;
 };
