@@ -5,8 +5,8 @@
 \cgalConcept
 
 The requirements on the geometric traits of all functions and classes of this package: two types. No
-predicate, no construction and no object of the traits is used. All computations are done in `double`, in
-coordinates in which the bounding box of the input is centred at the origin and has a diagonal of length 1.
+predicate, no construction and no object of the traits is used. Points are converted to `double` and
+scaled so that the bounding box of the input is centred at the origin and has a diagonal of length 1.
 
 \cgalHasModelsBegin
 \cgalHasModels{any CGAL kernel with inexact constructions over `float` or `double`\, such as
