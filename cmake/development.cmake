@@ -2,12 +2,35 @@
 find_package(TBB QUIET)
 include(CGAL_TBB_support)
 
-add_library(development INTERFACE)
+# The flags; for what has to see the headers as they are without the compiled library.
+add_library(development_header_only INTERFACE)
 target_link_libraries(
-  development INTERFACE Point_set_skeletonization_3::Point_set_skeletonization_3
-                        $<TARGET_NAME_IF_EXISTS:CGAL::TBB_support>)
+  development_header_only INTERFACE Point_set_skeletonization_3::Point_set_skeletonization_3
+                                    $<TARGET_NAME_IF_EXISTS:CGAL::TBB_support>)
 # GCC's guesses about uninitialised variables come after inlining, so that it makes them about code
 # inside Boost and CGAL as if it were ours.
 target_compile_options(
-  development INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
-                        $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+  development_header_only
+  INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+            $<$<BOOL:${Point_set_skeletonization_3_STRICT}>:-Werror>
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+
+# What everything else of ours is linked to, so that it compiles fast.
+add_library(development INTERFACE)
+target_link_libraries(
+  development
+  INTERFACE development_header_only
+            $<TARGET_NAME_IF_EXISTS:Point_set_skeletonization_3::Point_set_skeletonization_3_compiled>)
+
+# Looks for the packages that only some targets need. RESULT says whether all are there; if not, the user
+# is told what is left out.
+macro(find_what_is_needed_for left_out result)
+  set(${result} TRUE)
+  foreach(package IN ITEMS ${ARGN})
+    find_package(${package} QUIET)
+    if(NOT ${package}_FOUND)
+      set(${result} FALSE)
+      message(STATUS "Without ${left_out}: there is no ${package}")
+    endif()
+  endforeach()
+endmacro()

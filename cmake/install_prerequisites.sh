@@ -1,11 +1,21 @@
 #!/bin/sh
-# Installs what is missing to build, test and draw, on Debian and its relatives; run from anywhere.
-# Does nothing if nothing is missing.
+# Installs what is missing on Debian and its relatives; run from anywhere. Does nothing if nothing is.
+# Usage: install_prerequisites.sh program|test|all
+#   program  to build the program and to draw what it makes
+#   test     also for the tests
+#   all      also for the comparison, whose report is tested in a browser
 set -eu
-packages="cmake ninja-build g++ libcgal-dev libeigen3-dev libtbb-dev catch2 libcli11-dev
-  nlohmann-json3-dev python3-matplotlib
-  libjs-three libjs-chart.js libjs-jquery libjs-jquery-tablesorter
+program="cmake ninja-build g++ libcgal-dev libeigen3-dev libtbb-dev libcli11-dev nlohmann-json3-dev
+  python3-matplotlib"
+test="catch2"
+report="libjs-three libjs-chart.js libjs-jquery libjs-jquery-tablesorter
   chromium chromium-driver python3-selenium"
+case ${1-} in
+  program) packages=$program ;;
+  test) packages="$program $test" ;;
+  all) packages="$program $test $report" ;;
+  *) echo "usage: install_prerequisites.sh program|test|all" >&2; exit 2 ;;
+esac
 
 missing=
 for package in $packages; do
@@ -14,7 +24,7 @@ for package in $packages; do
 done
 [ -n "$missing" ] || exit 0
 
-echo "Installing:$missing"
+echo "== Installing$missing"
 as_root=
 [ "$(id -u)" = 0 ] || as_root=sudo
 $as_root apt-get update -q

@@ -1,5 +1,11 @@
-# Sourced by examples/run.sh and test/run.sh in the top folder: installs what is missing, unpacks
-# CGAL's sample models and configures the folder build/.
-sh cmake/install_prerequisites.sh
+#!/bin/sh
+# Installs what is missing, unpacks CGAL's sample models and configures the folder build/.
+# Usage: prepare.sh program|test|all [CMAKE_OPTION]...; what the first means is in
+# install_prerequisites.sh
+set -eu
+cd "$(dirname "$0")/.."
+sh cmake/install_prerequisites.sh "$1"
+shift
 sh cmake/unpack_cgal_data.sh build/cgal_data
-cmake -S . -B build -G Ninja
+echo "== Configuring build/"
+cmake -S . -B build -G Ninja "$@"

@@ -4,6 +4,7 @@
 set -eu
 folder=$1
 [ ! -e "$folder/data" ] || exit 0
+echo "== Unpacking CGAL's sample models into $folder"
 mkdir -p "$folder"
 cd "$folder"
 

@@ -2,7 +2,8 @@
 # Builds the program and skeletonises CGAL's sample models: a skeleton and a picture of each.
 set -eu
 cd "$(dirname "$0")/.."
-. cmake/prepare.sh
+sh cmake/prepare.sh program
+echo "== Building the program"
 cmake --build build --target skeletonize_point_set
 
 results=build/sample_skeletons

@@ -14,7 +14,9 @@
 #include <CGAL/Gaussian_mixture_builder_3.h>
 #include <CGAL/IO/Curve_skeleton_3.h>
 #include <CGAL/L1_medial_skeletonization_3.h>
+#include <CGAL/Point_set_skeletonization_3/internal/io/Output_file.h>
 #include <CGAL/Point_set_skeletonization_3/parameters.h>
+#include <CGAL/Published_l1_medial_skeletonization_3.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -31,6 +33,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -45,8 +48,7 @@ struct Result
   Skeleton skeleton;
   std::size_t mixture = 0;
   std::size_t samples = 0;
-  std::size_t iterations = 0;
-  std::string stop_reason;
+  std::optional<std::size_t> iterations; // of the published method
   std::optional<double> reading_seconds; // of a stream: with the moments, which are not kept apart
   double mixture_seconds = 0;
   double projection_seconds = 0;
@@ -72,35 +74,51 @@ double seconds_of(const Stage& stage)
   return timer.time();
 }
 
+// The progress bar as a callback, which Ctrl-C makes cancel.
+auto callback_of(Progress_bar& bar)
+{
+  return CGAL::parameters::callback([&bar](double fraction) {
+    bar.show(fraction);
+    return interrupted == 0;
+  });
+}
+
+// Runs the steps of either method.
+template <typename Skeletonization>
+Result run_steps(Skeletonization& steps)
+{
+  Result result;
+  result.mixture_seconds = seconds_of([&] { return steps.fit_mixture(); });
+  result.projection_seconds = seconds_of([&] { return steps.project(); });
+  result.linking_seconds = seconds_of([&] { return steps.link(); });
+  result.mixture = steps.number_of_components();
+  result.samples = steps.number_of_samples();
+  std::move(steps).extract_skeleton(result.skeleton);
+  return result;
+}
+
+template <typename ConcurrencyTag>
+Result skeletonize_as_published(const std::vector<Point>& points, const Options& options,
+                                Progress_bar& bar)
+{
+  CGAL::Published_l1_medial_skeletonization_3<Kernel, ConcurrencyTag> steps(
+      points, callback_of(bar).random_seed(options.seed));
+  Result result = run_steps(steps);
+  result.iterations = steps.number_of_iterations();
+  return result;
+}
+
 // Of points, or of what was streamed.
 template <typename ConcurrencyTag, typename Points>
 Result skeletonize(const Points& points, const Options& options, Progress_bar& bar)
 {
-  const auto progress = [&bar](double fraction) {
-    bar.show(fraction);
-    return interrupted == 0;
-  };
-  const auto parameters = CGAL::parameters::as_published(
-      options.as_published,
-      CGAL::parameters::single_component(
-          options.single_component,
-          CGAL::parameters::callback(progress).random_seed(options.seed)));
-  std::optional<CGAL::L1_medial_skeletonization_3<Kernel, ConcurrencyTag>> algorithm;
-  Result result;
-  result.mixture_seconds = seconds_of([&] {
-    algorithm.emplace(points, parameters);
-    return algorithm->fit_mixture();
-  });
-  result.projection_seconds = seconds_of([&] { return algorithm->project(); });
-  result.linking_seconds = seconds_of([&] { return algorithm->link(); });
-  const auto levels = algorithm->mixture().levels;
-  if(!levels.empty()) // the published method projects onto what is left after merging
-    result.mixture = options.as_published ? levels.back().size() : levels.front().size();
-  result.samples = algorithm->samples().size();
-  result.iterations = algorithm->number_of_iterations();
-  result.stop_reason = CGAL::to_string(algorithm->stop_reason());
-  std::move(*algorithm).extract_skeleton(result.skeleton);
-  return result;
+  if constexpr(std::is_same<Points, std::vector<Point>>::value)
+    if(options.as_published)
+      return skeletonize_as_published<ConcurrencyTag>(points, options, bar);
+  CGAL::L1_medial_skeletonization_3<Kernel, ConcurrencyTag> steps(
+      points,
+      CGAL::parameters::single_component(options.single_component, callback_of(bar)));
+  return run_steps(steps);
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -163,8 +181,8 @@ void print_stats(std::size_t points, const Result& result, const Graph_counts& c
   stats["points"] = points;
   stats["mixture"] = result.mixture;
   stats["samples"] = result.samples;
-  stats["iterations"] = result.iterations;
-  stats["stop_reason"] = result.stop_reason;
+  if(result.iterations)
+    stats["iterations"] = *result.iterations;
   stats["components"] = counts.components;
   stats["cycles"] = counts.cycles;
   stats["ends"] = counts.ends;

@@ -28,12 +28,11 @@ int main(int argc, char** argv)
   std::cout << " Gaussians\n";
 
   skeletonization.project();
-  const auto& samples = skeletonization.samples();
-  const auto frozen = std::count_if(samples.begin(), samples.end(),
-                                    [](const auto& sample) { return sample.frozen; });
-  std::cout << samples.size() << " samples, " << frozen << " of them frozen after "
-            << skeletonization.number_of_iterations()
-            << " iterations: " << CGAL::to_string(skeletonization.stop_reason()) << '\n';
+  const auto samples = skeletonization.samples();
+  const auto by_radius = [](const auto& a, const auto& b) { return a.radius < b.radius; };
+  const auto widest = std::max_element(samples.samples.begin(), samples.samples.end(), by_radius);
+  std::cout << samples.samples.size() << " samples, the widest ball has radius " << widest->radius
+            << "; noise " << samples.noise << '\n';
 
   skeletonization.link();
   Skeletonization::Skeleton skeleton;

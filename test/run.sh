@@ -1,8 +1,18 @@
 #!/bin/sh
-# Builds everything and runs the tests.
+# Builds and tests the library, the program, the examples and the command `quality`; with --all also the
+# comparison with other methods, its report in a browser, and the command `performance`.
+# Usage: run.sh [--all]
 set -eu
 cd "$(dirname "$0")/.."
-. cmake/prepare.sh
+case ${1-} in
+  "") purpose=test comparison=OFF ;;
+  --all) purpose=all comparison=ON ;;
+  *) echo "usage: run.sh [--all]" >&2; exit 2 ;;
+esac
+sh cmake/prepare.sh $purpose -DPoint_set_skeletonization_3_STRICT=ON \
+  -DPoint_set_skeletonization_3_COMPARISON=$comparison
+echo "== Building what is tested"
 cmake --build build
+echo "== Testing"
 cd build
 exec ctest --output-on-failure --parallel 2

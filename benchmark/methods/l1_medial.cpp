@@ -5,7 +5,9 @@
 
 #include "l1_medial_stages.h"
 
+#include <CGAL/L1_medial_skeletonization_3.h>
+
 Method_result l1_medial(const Method_input& input)
 {
-  return l1_medial_stages(input, false);
+  return l1_medial_stages<CGAL::L1_medial_skeletonization_3<Kernel>>(input);
 }

@@ -5,7 +5,9 @@
 
 #include "l1_medial_stages.h"
 
+#include <CGAL/Published_l1_medial_skeletonization_3.h>
+
 Method_result l1_medial_published(const Method_input& input)
 {
-  return l1_medial_stages(input, true);
+  return l1_medial_stages<CGAL::Published_l1_medial_skeletonization_3<Kernel>>(input);
 }

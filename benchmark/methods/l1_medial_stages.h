@@ -6,7 +6,17 @@
 
 #include "Method.h"
 
-/// This package on the points, its steps as stages.
-Method_result l1_medial_stages(const Method_input& input, bool as_published);
+/// A class of this package on the points, its steps as stages.
+template <typename Skeletonization>
+Method_result l1_medial_stages(const Method_input& input)
+{
+  Method_result result;
+  Skeletonization steps(input.points);
+  timed_stage(result, "mixture", [&] { steps.fit_mixture(); });
+  timed_stage(result, "projection", [&] { steps.project(); });
+  timed_stage(result, "linking", [&] { steps.link(); });
+  steps.extract_skeleton(result.skeleton);
+  return result;
+}
 
 #endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_METHODS_L1_MEDIAL_STAGES_H

@@ -91,9 +91,9 @@ Fan fan_of(const std::vector<std::size_t>& neighborhood, const std::vector<Vecto
 
 std::vector<Fan> fans_of(const std::vector<Vector3d>& points)
 {
-  const methods::Neighbor_search search = methods::search_of(points);
+  const methods::Point_search search(points);
   const std::size_t k = number_of_neighbors(points.size());
-  std::vector<methods::Neighbor_search::Neighbor> found;
+  std::vector<methods::Neighbor> found;
   std::vector<Fan> fans;
   for(std::size_t i = 0; i < points.size(); ++i) {
     search.nearest(points[i], k, found);

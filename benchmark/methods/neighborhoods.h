@@ -7,6 +7,7 @@
 #include "Method.h"
 
 #include <CGAL/Point_set_skeletonization_3/internal/published/Point_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Neighbor.h>
 
 #include <Eigen/Core>
 
@@ -16,7 +17,8 @@
 
 namespace methods {
 
-using Neighbor_search = CGAL::Point_set_skeletonization_3::internal::Neighbor_search;
+using CGAL::Point_set_skeletonization_3::internal::Neighbor;
+using CGAL::Point_set_skeletonization_3::internal::Point_search;
 
 /// For every point the points next to it.
 using Neighbors = std::vector<std::vector<std::size_t>>;
@@ -32,21 +34,16 @@ std::vector<Eigen::Vector3d> to_eigen(const std::vector<Triple>& triples)
   return result;
 }
 
-inline Neighbor_search search_of(const std::vector<Eigen::Vector3d>& points)
-{
-  return Neighbor_search(points.size(), [&](std::size_t i) { return points[i]; });
-}
-
 /// For every point the `k` others nearest to it and those it is one of the `k` nearest of;
 /// ascending.
-inline Neighbors nearest_others(const Neighbor_search& search,
+inline Neighbors nearest_others(const Point_search& search,
                                 const std::vector<Eigen::Vector3d>& points, std::size_t k)
 {
   Neighbors result(points.size());
-  std::vector<Neighbor_search::Neighbor> found;
+  std::vector<Neighbor> found;
   for(std::size_t i = 0; i < points.size(); ++i) {
     search.nearest(points[i], k + 1, found);
-    for(const Neighbor_search::Neighbor& neighbor : found)
+    for(const Neighbor& neighbor : found)
       if(neighbor.index != i) {
         result[i].push_back(neighbor.index);
         result[neighbor.index].push_back(i);

@@ -20,7 +20,7 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using methods::Neighbor_search;
+using methods::Point_search;
 using methods::Neighbors;
 using methods::no_cluster;
 using Eigen_solver = Eigen::SelfAdjointEigenSolver<Matrix3d>;
@@ -56,7 +56,7 @@ double squashed_distance(const Cloud& cloud, std::size_t i, std::size_t j)
 // Of the nearest points, twice as many as wanted, those with the smallest squashed distances.
 void find_neighbors(Cloud& cloud)
 {
-  const Neighbors candidates = methods::nearest_others(methods::search_of(cloud.points),
+  const Neighbors candidates = methods::nearest_others(methods::Point_search(cloud.points),
                                                        cloud.points, 2 * surface_neighbors);
   cloud.neighbors.assign(cloud.points.size(), {});
   double sum = 0, count = 0;
@@ -222,7 +222,7 @@ void fill(std::vector<Vector3d>& centers, std::vector<char>& known, const Neighb
 // along a line.
 void thin(std::vector<Vector3d>& centers, double radius)
 {
-  const Neighbor_search search = methods::search_of(centers);
+  const Point_search search(centers);
   std::vector<Vector3d> result;
   std::vector<std::size_t> around;
   for(const Vector3d& center : centers) {
@@ -247,7 +247,7 @@ std::vector<std::size_t> sample(const std::vector<Vector3d>& centers,
                                 const std::vector<char>& known, double radius,
                                 std::vector<methods::Cluster>& samples)
 {
-  const Neighbor_search search = methods::search_of(centers);
+  const Point_search search(centers);
   std::vector<std::size_t> owner(centers.size(), no_cluster), around;
   for(std::size_t i = 0; i < centers.size(); ++i) {
     if(!known[i] || owner[i] != no_cluster)

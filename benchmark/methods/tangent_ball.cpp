@@ -22,7 +22,7 @@
 namespace {
 
 using Eigen::Vector3d;
-using methods::Neighbor_search;
+using methods::Point_search;
 using methods::no_cluster;
 
 constexpr std::size_t surface_neighbors = 8;     // a ring of them on an even surface
@@ -39,7 +39,7 @@ struct Ball
 
 // The ball that touches the surface at point `i` and at the point that shrunk it last; its radius
 // is 0 if there is no such point, or if its centre is outside by the normal there or by the box.
-Ball shrunk_ball(const Neighbor_search& search, const std::vector<Vector3d>& points,
+Ball shrunk_ball(const Point_search& search, const std::vector<Vector3d>& points,
                  const std::vector<Vector3d>& normals, const Eigen::AlignedBox3d& box,
                  std::size_t i)
 {
@@ -68,7 +68,7 @@ Ball shrunk_ball(const Neighbor_search& search, const std::vector<Vector3d>& poi
 
 // Calls `work(j, distance of the centres)` for every ball `j` that is within dilated ball `i`.
 template <typename Work>
-void for_each_covered(const std::vector<Ball>& balls, const Neighbor_search& centers, std::size_t i,
+void for_each_covered(const std::vector<Ball>& balls, const Point_search& centers, std::size_t i,
                       const Work& work)
 {
   std::vector<std::size_t> candidates;
@@ -81,7 +81,7 @@ void for_each_covered(const std::vector<Ball>& balls, const Neighbor_search& cen
 }
 
 // Those that are within no larger one, dilated.
-std::vector<std::size_t> kept_balls(const std::vector<Ball>& balls, const Neighbor_search& centers)
+std::vector<std::size_t> kept_balls(const std::vector<Ball>& balls, const Point_search& centers)
 {
   std::vector<std::size_t> order(balls.size()), kept;
   std::iota(order.begin(), order.end(), std::size_t(0));
@@ -100,7 +100,7 @@ std::vector<std::size_t> kept_balls(const std::vector<Ball>& balls, const Neighb
 // For every point the nearest of the kept balls, as position in `kept`, that cover its own.
 std::vector<std::size_t> owners(const std::vector<Ball>& balls,
                                 const std::vector<std::size_t>& kept,
-                                const Neighbor_search& centers)
+                                const Point_search& centers)
 {
   std::vector<std::size_t> owner(balls.size(), no_cluster);
   std::vector<double> least(balls.size(), std::numeric_limits<double>::infinity());
@@ -127,7 +127,7 @@ Method_result tangent_ball(const Method_input& input)
 
   std::vector<Ball> balls;
   timed_stage(result, "balls", [&] {
-    const Neighbor_search search = methods::search_of(points);
+    const Point_search search(points);
     for(std::size_t i = 0; i < points.size(); ++i)
       balls.push_back(shrunk_ball(search, points, normals, box, i));
   });
@@ -135,13 +135,13 @@ Method_result tangent_ball(const Method_input& input)
     std::vector<Vector3d> centers;
     for(const Ball& ball : balls)
       centers.push_back(ball.center);
-    const Neighbor_search center_search = methods::search_of(centers);
+    const Point_search center_search(centers);
     const std::vector<std::size_t> kept = kept_balls(balls, center_search);
     if(kept.empty())
       throw std::runtime_error("no ball touches the surface at two points from inside");
     std::vector<std::size_t> owner = owners(balls, kept, center_search);
     const methods::Neighbors neighbors =
-        methods::nearest_others(methods::search_of(points), points, surface_neighbors);
+        methods::nearest_others(methods::Point_search(points), points, surface_neighbors);
     methods::spread(owner, neighbors);
     std::vector<methods::Cluster> clusters;
     for(const std::size_t k : kept)

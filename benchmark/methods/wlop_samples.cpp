@@ -58,7 +58,7 @@ std::vector<std::size_t> random_subset(std::size_t count, std::size_t size)
 Wlop_samples::Wlop_samples(const std::vector<Vector3d>& points, std::size_t size, double radius)
     : points_(points)
 {
-  const Neighbor_search search = search_of(points);
+  const Point_search search(points);
   std::vector<std::size_t> around;
   for(const Vector3d& p : points) {
     search.within(p, radius, around);
@@ -145,22 +145,22 @@ void Wlop_samples::update_directions(std::size_t neighbors)
       points.push_back(samples_[i].point);
       left.push_back(i);
     }
-  const Neighbor_search search = search_of(points);
-  std::vector<std::vector<Neighbor_search::Neighbor>> nearest(points.size());
+  const Point_search search(points);
+  std::vector<std::vector<Neighbor>> nearest(points.size());
   for(std::size_t k = 0; k < points.size(); ++k) {
     search.nearest(points[k], neighbors + 1, nearest[k]);
     Vector3d mean = Vector3d::Zero();
-    for(const Neighbor_search::Neighbor& neighbor : nearest[k])
+    for(const Neighbor& neighbor : nearest[k])
       mean += points[neighbor.index] / static_cast<double>(nearest[k].size());
     Matrix3d scatter = Matrix3d::Zero();
-    for(const Neighbor_search::Neighbor& neighbor : nearest[k])
+    for(const Neighbor& neighbor : nearest[k])
       scatter += (points[neighbor.index] - mean) * (points[neighbor.index] - mean).transpose();
     set_direction(samples_[left[k]], scatter);
   }
   std::vector<double> means;
-  for(const std::vector<Neighbor_search::Neighbor>& list : nearest) {
+  for(const std::vector<Neighbor>& list : nearest) {
     double sum = 0;
-    for(const Neighbor_search::Neighbor& neighbor : list)
+    for(const Neighbor& neighbor : list)
       sum += samples_[left[neighbor.index]].directionality;
     means.push_back(sum / static_cast<double>(list.size()));
   }

@@ -17,7 +17,6 @@
 #include <boost/graph/adjacency_list.hpp>
 
 #include <iterator>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -37,13 +36,12 @@ template <typename ConcurrencyTag, typename Graph = Skeleton, typename Points>
 void skeletonize(const Points& points, Stopwatch& stopwatch)
 {
   using Skeletonization = CGAL::L1_medial_skeletonization_3<Kernel, ConcurrencyTag>;
-  std::optional<Skeletonization> steps;
-  stopwatch.stage("points", [&] { steps.emplace(points); });
-  stopwatch.stage("mixture", [&] { steps->fit_mixture(); });
-  stopwatch.stage("projection", [&] { steps->project(); });
-  stopwatch.stage("linking", [&] { steps->link(); });
+  Skeletonization steps(points);
+  stopwatch.stage("mixture", [&] { steps.fit_mixture(); });
+  stopwatch.stage("projection", [&] { steps.project(); });
+  stopwatch.stage("linking", [&] { steps.link(); });
   Graph skeleton;
-  stopwatch.stage("skeleton", [&] { std::move(*steps).extract_skeleton(skeleton); });
+  stopwatch.stage("skeleton", [&] { std::move(steps).extract_skeleton(skeleton); });
 }
 
 /// Keeps a result from being optimised away.

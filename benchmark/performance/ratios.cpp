@@ -144,7 +144,7 @@ void print_shares(std::ostream& out, const Rows& rows)
       {"input", 12, [](const Performance_row& row) { return row.input; }},
       {"points", 9, [](const Performance_row& row) { return std::to_string(row.points); }},
       {"seconds", 8, [](const Performance_row& row) { return fixed(row.cpu("total"), 3); }}};
-  for(const char* stage : {"points", "mixture", "projection", "linking", "skeleton"})
+  for(const char* stage : {"mixture", "projection", "linking", "skeleton"})
     columns.push_back({stage + std::string("%"), 6, share(stage)});
   Table<Performance_row> table(out, columns);
   for(const Performance_row& row : our_rows(rows))

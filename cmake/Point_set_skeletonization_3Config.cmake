@@ -1,5 +1,0 @@
-include(CMakeFindDependencyMacro)
-find_dependency(CGAL 5.5)
-find_dependency(Eigen3 3.4 NO_MODULE)
-find_dependency(Boost 1.74)
-include("${CMAKE_CURRENT_LIST_DIR}/Point_set_skeletonization_3_targets.cmake")

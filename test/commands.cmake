@@ -1,0 +1,31 @@
+# The tests that run our programs, and other projects that use us.
+if(TARGET skeletonize_point_set)
+  foreach(name IN ITEMS program_usage program_input program_output picture)
+    add_test(NAME ${name} COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/${name}.sh"
+                                  $<TARGET_FILE:skeletonize_point_set>)
+  endforeach()
+endif()
+foreach(program IN ITEMS quality performance compare_skeletons)
+  if(TARGET ${program})
+    add_test(NAME ${program} COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/${program}.sh"
+                                     $<TARGET_FILE:${program}>)
+  endif()
+endforeach()
+
+if(TARGET html_report)
+  add_executable(made_up_report report/made_up_report.cpp)
+  target_include_directories(made_up_report PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
+  target_link_libraries(made_up_report PRIVATE html_report)
+  add_test(NAME report
+           COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/report.sh" $<TARGET_FILE:made_up_report>)
+endif()
+
+add_test(NAME readme COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/readme.sh")
+foreach(name IN ITEMS find_package guest missing_packages)
+  if(name STREQUAL "find_package" AND NOT Point_set_skeletonization_3_INSTALL)
+    continue()
+  endif()
+  add_test(NAME ${name}
+           COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/${name}/run.sh" "${PROJECT_BINARY_DIR}"
+                   "${CMAKE_COMMAND}" "${CMAKE_GENERATOR}" "${CMAKE_CXX_COMPILER}")
+endforeach()
