@@ -4,6 +4,8 @@
 #ifndef CGAL_GAUSSIAN_MIXTURE_3_H
 #define CGAL_GAUSSIAN_MIXTURE_3_H
 
+#include <CGAL/Bbox_3.h>
+
 #include <array>
 #include <vector>
 
@@ -43,6 +45,9 @@ struct Gaussian_mixture_3
   /// Edge length of the grid cells whose points are the components of the finest level, in the unit of
   /// the input; 0 if they are not the points of cells.
   typename GeomTraits::FT cell_size = 0;
+
+  /// The bounding box of the points, from whose centre the grid is laid out; empty if it is not known.
+  Bbox_3 bbox;
 };
 
 } // namespace CGAL

@@ -6,6 +6,8 @@
 
 #include <CGAL/Gaussian_mixture_3.h>
 
+#include <CGAL/Bbox_3.h>
+
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -34,6 +36,9 @@ template <typename GeomTraits>
 struct Medial_samples_3
 {
   std::vector<Medial_sample_3<GeomTraits>> samples;
+
+  /// The bounding box of the points; empty if it is not known.
+  Bbox_3 bbox;
 
   /// How much noise was taken off the patches, in [0, 1]; 0 if their means lie on the surface as it was
   /// read.

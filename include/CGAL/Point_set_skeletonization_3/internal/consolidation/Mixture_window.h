@@ -98,7 +98,7 @@ public:
     std::vector<std::size_t> seen;
     tree.visit_leaves(enter, [&](std::size_t begin, std::size_t end) {
       for(std::size_t k = begin; k < end; ++k)
-        if(box.squaredExteriorDistance(tree.positions()[k]) < reach * reach * radius * radius)
+        if(squared_distance(box, tree.positions()[k]) < reach * reach * radius * radius)
           seen.push_back(k);
     });
     const auto size = static_cast<Eigen::Index>(seen.size());

@@ -13,6 +13,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/K_nearest_neighbors.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -24,6 +26,7 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
+/// How noise and outliers are told from the surface.
 struct Consolidation_options
 {
   Noise_options noise;
@@ -41,18 +44,41 @@ struct Consolidation_options
   /// wider to show anything.
   double sparse = 1.6;
 
-  /// Spacings; what is further from its neighbours is compared with densities this much further away.
+  /// Median spacings; what is further from its neighbours is compared with densities this much further
+  /// away.
   double apart = 1.5;
 
-  /// Sphericity from which on the fitted plane gives way to the mean, and over how much.
+  /// Sphericity from which on the fitted plane gives way to the mean, and over how much. Halfway
+  /// narrower windows are tried.
   double plane = 0.1, plane_to_blob = 0.2;
-
-  /// Sphericity from which on narrower windows are tried.
-  double round = 0.2;
 
   /// Thickness over that of the noise, over which a limb stops to be drowned in it: its radius is that
   /// of the noise at 1.2, twice that at 1.7.
   double drowned = 1.15, resolved = 1.65;
+
+  void check() const
+  {
+    noise.check();
+    CGAL_precondition(isolated > 1 && apart >= 1 && sparse > 0);
+    CGAL_precondition(thin > 0 && thin < 1);
+    CGAL_precondition(plane >= 0 && plane_to_blob > 0);
+    CGAL_precondition(drowned < resolved);
+  }
+
+  /// Calls `visit(name, value)` for every option.
+  template <typename Visit>
+  void visit(const Visit& visit)
+  {
+    noise.visit(visit);
+    visit("isolated", isolated);
+    visit("thin", thin);
+    visit("sparse", sparse);
+    visit("apart", apart);
+    visit("plane", plane);
+    visit("plane_to_blob", plane_to_blob);
+    visit("drowned", drowned);
+    visit("resolved", resolved);
+  }
 };
 
 /// A mixture without its noise and outliers: what is left are patches of a surface.
@@ -198,7 +224,7 @@ private:
                             const Vector3& position) const
   {
     Local_shape shape = views[size].shape(position);
-    while(size-- > 0 && shape.sphericity > options_.round && drowned(shape) < 0.5) {
+    while(size-- > 0 && shape.sphericity > options_.plane + options_.plane_to_blob / 2 && drowned(shape) < 0.5) {
       const Local_shape narrower = views[size].shape(position);
       if(narrower.sphericity > shape.sphericity)
         break;
@@ -281,7 +307,7 @@ private:
       const Vector3& position = moving_.positions[i];
       const auto may_tell = [&](std::size_t node) {
         return !drop[i] && densities[i] < thin * densest[node] &&
-               tree.boxes()[node].squaredExteriorDistance(position) < reach * reach;
+               squared_distance(tree.boxes()[node], position) < reach * reach;
       };
       tree.visit_leaves(may_tell, [&](std::size_t begin, std::size_t end) {
         for(std::size_t k = begin; k < end; ++k)
@@ -356,6 +382,7 @@ inline Consolidated_mixture consolidate(const Gaussians& mixture, double cell_si
                                         const Consolidation_options& options,
                                         Concurrency concurrency)
 {
+  options.check();
   const Box_tree tree(means_of(mixture), concurrency);
   const K_nearest_neighbors nearest =
     k_nearest_neighbors(tree, surface_neighbors + 1, concurrency);

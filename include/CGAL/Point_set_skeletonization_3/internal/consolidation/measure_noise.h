@@ -9,6 +9,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/quantile.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/K_nearest_neighbors.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -19,12 +21,13 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
+/// When a mixture counts as noisy. Scatter and sphericity have no unit.
 struct Noise_options
 {
-  /// Scatter, in radii of the narrowest window, from which on components move, and above which they
-  /// move all the way. Uneven sampling alone measures up to 0.03, noise of a quarter of the spacing
-  /// 0.05 and more.
-  double least_scatter = 0.03, full_scatter = 0.06;
+  /// Scatter, in radii of the narrowest window, from which on components move; at twice that they move
+  /// all the way. Uneven sampling alone measures up to 0.03, noise of a quarter of the spacing 0.05 and
+  /// more.
+  double least_scatter = 0.03;
 
   /// The same of the sphericity in the narrowest window: so much noise that it fills a volume evenly
   /// has no scatter, but nothing is flat.
@@ -32,6 +35,23 @@ struct Noise_options
 
   /// Sphericity below which no wider window is tried: noise of a fifth of the window's radius.
   double flat = 0.15;
+
+  void check() const
+  {
+    CGAL_precondition(least_scatter > 0);
+    CGAL_precondition(0 < least_sphericity && least_sphericity < full_sphericity);
+    CGAL_precondition(flat > 0);
+  }
+
+  /// Calls `visit(name, value)` for every option.
+  template <typename Visit>
+  void visit(const Visit& visit)
+  {
+    visit("least_scatter", least_scatter);
+    visit("least_sphericity", least_sphericity);
+    visit("full_sphericity", full_sphericity);
+    visit("flat", flat);
+  }
 };
 
 /// How much noise there is in a mixture.
@@ -117,7 +137,7 @@ inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
         result.densities.push_back(shape.density);
       const double scattered = scatter(shapes, moving, nearest, radii[0], concurrency);
       result.strength = std::min(
-        1.0, std::max({0.0, ramp(scattered, options.least_scatter, options.full_scatter),
+        1.0, std::max({0.0, ramp(scattered, options.least_scatter, 2 * options.least_scatter),
                        ramp(sphericity, options.least_sphericity, options.full_sphericity)}));
     }
     if(sphericity > least)

@@ -7,6 +7,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
@@ -27,12 +28,18 @@ public:
   /// `lower` and `upper` are the corners of the input's bounding box. Halves are subtracted so that
   /// no box of finite coordinates overflows; a diagonal that does counts as the largest number.
   Normalization(const Vector3& lower, const Vector3& upper)
-    : lower_(lower), half_extent_(upper / 2 - lower / 2)
+    : lower_(lower), upper_(upper), half_extent_(upper / 2 - lower / 2)
   {
-    const double half_diagonal = half_extent_.stableNorm();
+    // Neither overflows nor, as Eigen's stableNorm() does, depends on where the vector lies in memory.
+    const double half_diagonal =
+      std::hypot(half_extent_.x(), half_extent_.y(), half_extent_.z());
     if(half_diagonal > 0)
       diagonal_ = 2 * std::min(half_diagonal, std::numeric_limits<double>::max() / 2);
   }
+
+  /// The corners of the input's bounding box.
+  const Vector3& lower() const { return lower_; }
+  const Vector3& upper() const { return upper_; }
 
   /// Length of the input's bounding box diagonal; 1 if all points are equal.
   double diagonal() const { return diagonal_; }
@@ -52,7 +59,7 @@ public:
   Matrix3 covariance_to_unit(const Matrix3& c) const { return c / diagonal_ / diagonal_; }
 
 private:
-  Vector3 lower_ = Vector3::Zero();
+  Vector3 lower_ = Vector3::Zero(), upper_ = Vector3::Zero();
   Vector3 half_extent_ = Vector3::Zero();
   double diagonal_ = 1;
 };

@@ -6,9 +6,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -19,8 +17,9 @@ namespace internal {
 /// leaves each set. Returns the links that were taken.
 ///
 /// \param sets the numbers that links join; on return, what is connected is one set
-/// \param for_each_link `for_each_link(visit)` calls `visit(link)` for every link. It is called once a
-///        round, O(log n) times, so that links need not be stored; those within a set may be left out
+/// \param for_each_link `for_each_link(visit)` calls `visit(link)` for every link, which returns whether
+///        the link is between two sets. It is called once a round, O(log n) times, so that links need not
+///        be stored; those within a set may be left out
 /// \tparam Link has `.a` and `.b`, the numbers that it joins, and a strict total order `<`: with one,
 ///         the forest does not depend on the order of the links
 template <typename Link, typename ForEachLink>
@@ -29,22 +28,24 @@ std::vector<Link> minimum_spanning_forest(Union_find& sets, std::size_t size,
 {
   std::vector<Link> forest;
   for(;;) {
-    std::vector<std::optional<Link>> least(size); // of every root
+    std::vector<Link> least(size); // of every root
+    std::vector<char> has_link(size, 0);
     for_each_link([&](const Link& link) {
       const std::size_t a = sets.find(link.a), b = sets.find(link.b);
       if(a == b)
-        return;
+        return false;
       for(std::size_t root : {a, b})
-        if(!least[root] || link < *least[root])
+        if(!has_link[root] || link < least[root]) {
           least[root] = link;
+          has_link[root] = 1;
+        }
+      return true;
     });
-    bool joined = false;
-    for(const std::optional<Link>& link : least)
-      if(link && sets.join(link->a, link->b)) {
-        forest.push_back(*link);
-        joined = true;
-      }
-    if(!joined)
+    const std::size_t before = forest.size();
+    for(std::size_t root = 0; root < size; ++root)
+      if(has_link[root] && sets.join(least[root].a, least[root].b))
+        forest.push_back(least[root]);
+    if(forest.size() == before)
       return forest;
   }
 }
@@ -55,12 +56,12 @@ std::vector<Link> minimum_spanning_forest(Union_find& sets, std::size_t size,
                                           std::vector<Link> links)
 {
   return minimum_spanning_forest<Link>(sets, size, [&](const auto& visit) {
-    const auto is_within_a_set = [&](const Link& link) {
-      return sets.find(link.a) == sets.find(link.b);
-    };
-    links.erase(std::remove_if(links.begin(), links.end(), is_within_a_set), links.end());
-    for(const Link& link : links)
-      visit(link);
+    std::size_t left = 0; // between sets
+    for(const Link& link : links) {
+      links[left] = link;
+      left += visit(link);
+    }
+    links.resize(left);
   });
 }
 

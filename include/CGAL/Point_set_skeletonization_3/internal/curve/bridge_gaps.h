@@ -7,6 +7,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/minimum_spanning_forest.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/refine_curve.h>
 
@@ -30,8 +31,9 @@ class Bridging
 {
 public:
   /// `spacing` is that of the surface's patches.
-  Bridging(Skeleton_graph& graph, double spacing)
-      : graph_(graph)
+  Bridging(Skeleton_graph& graph, double spacing, const Curve_options& options)
+      : options_(options)
+      , graph_(graph)
       , spacing_(spacing)
       , adjacency_(graph.adjacency())
       , sets_(graph.vertices.size())
@@ -83,22 +85,18 @@ private:
 
   bool points_at(std::size_t end, std::size_t w) const
   {
-    constexpr double aligned = 0.8; // cosine of 37 degrees: limbs bend
-    const Vector3 way = graph_.vertices[w].position - graph_.vertices[end].position;
-    return tip_direction(end, graph_, adjacency_).dot(way) > aligned * way.norm();
+    const Vector3 gap = graph_.vertices[w].position - graph_.vertices[end].position;
+    return tip_direction(end, graph_, adjacency_).dot(gap) > options_.aligned * gap.norm();
   }
 
   bool is_plausible(std::size_t end, std::size_t w) const
   {
-    // The eye bridges a gap that is twice as long as the limb is thick.
-    constexpr double widest = 4; // radii
-    // Of a twig thinner than two patches neither the radius nor the direction is known.
-    constexpr double thin = 2, widest_of_thin = 8; // spacings
+    const double thin = options_.thin_limb * spacing_;
     const double gap = distance(end, w);
     const double radius = std::max(graph_.vertices[end].radius, graph_.vertices[w].radius);
-    if(graph_.vertices[end].radius < thin * spacing_ && gap < widest_of_thin * spacing_)
+    if(graph_.vertices[end].radius < thin && gap < options_.widest_gap * thin)
       return true;
-    return gap < widest * radius && points_at(end, w) &&
+    return gap < options_.widest_gap * radius && points_at(end, w) &&
            (adjacency_[w].size() != 1 || points_at(w, end));
   }
 
@@ -109,6 +107,7 @@ private:
       graph_.edges.emplace_back(bridge.a, bridge.b);
   }
 
+  const Curve_options& options_;
   Skeleton_graph& graph_;
   double spacing_;
   std::vector<std::vector<std::size_t>> adjacency_; ///< Without the bridges.

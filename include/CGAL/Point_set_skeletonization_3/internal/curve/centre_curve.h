@@ -6,6 +6,7 @@
 
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/cross_section.h>
 
@@ -49,8 +50,9 @@ public:
   /// draws what is curved to the inside. `spacing` is about how far they are apart. The radii of the
   /// graph are those of the limbs, roughly. `inside` tells of places whether they are in the shape.
   Curve_centring(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
-                 double spacing, const Are_inside& inside, Concurrency concurrency)
-    : concurrency_(concurrency), graph_(graph), surface_(surface), spacing_(spacing), inside_(inside),
+                 double spacing, const Are_inside& inside, const Curve_options& options,
+                 Concurrency concurrency)
+    : options_(options), concurrency_(concurrency), graph_(graph), surface_(surface), spacing_(spacing), inside_(inside),
       adjacency_(graph.adjacency()), start_(graph.vertices), drawn_(graph.vertices.size())
   {}
 
@@ -104,8 +106,7 @@ private:
     const Cross_section section = cross_section(cut(v, piece, e1, e2, radius));
     // With a gap of half the way around a centre is a guess, but better than none; with a third left
     // it is none, nor is it where a sheet leaves both sides open.
-    constexpr double too_much = CGAL_PI;
-    const double weight = 1 - section.unknown / too_much;
+    const double weight = 1 - section.unknown / options_.unknown;
     if(!(section.area > 0) || weight <= least_weight)
       return not_drawn(v);
     const Vector3 target =
@@ -157,7 +158,7 @@ private:
                                    const Vector3& e2, double radius) const
   {
     // Wide enough for a dozen points around a thin limb, narrow enough for one that gets thicker.
-    const double half_width = std::max(spacing_, 0.25 * radius);
+    const double half_width = std::max(spacing_, options_.half_width * radius);
     // Points across the limb may belong to vertices further along it, those of other limbs not.
     constexpr double reach = 2; // radii
     std::vector<Eigen::Vector2d> result;
@@ -236,7 +237,6 @@ private:
   /// the second difference is elsewhere. An end is free.
   void add_stiffness(std::size_t v, std::vector<Entry>& entries) const
   {
-    constexpr double length = 0.4; // radii
     const std::vector<std::size_t>& next = adjacency_[v];
     if(next.size() < 2)
       return;
@@ -249,13 +249,14 @@ private:
     }
     // Vertices are evenly spaced but for short branches; nothing is stiffer than a rod.
     h = std::max(h, 0.1 * drawn_[v].radius);
-    const double stiffness = std::pow(length * drawn_[v].radius / h, 4);
+    const double stiffness = std::pow(options_.stiffness * drawn_[v].radius / h, 4);
     for(const auto& a : difference)
       for(const auto& b : difference)
         entries.emplace_back(static_cast<int>(a.first), static_cast<int>(b.first),
                              stiffness * a.second * b.second);
   }
 
+  const Curve_options& options_;
   Concurrency concurrency_;
   Skeleton_graph& graph_;
   const std::vector<std::vector<Vector3>>& surface_;
@@ -270,9 +271,9 @@ private:
 /// Moves a skeleton to the centres of the cross-sections of its limbs; parameters as above.
 inline void centre_curve(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
                          double spacing, const Curve_centring::Are_inside& inside,
-                         Concurrency concurrency)
+                         const Curve_options& options, Concurrency concurrency)
 {
-  Curve_centring(graph, surface, spacing, inside, concurrency).run();
+  Curve_centring(graph, surface, spacing, inside, options, concurrency).run();
 }
 
 } // namespace internal

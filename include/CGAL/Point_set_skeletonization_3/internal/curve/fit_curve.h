@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/quantile.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/bridge_gaps.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/centre_curve.h>
@@ -14,7 +15,6 @@
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/nearest_points.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/inside.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -52,8 +52,9 @@ public:
   /// `points` are those of the surface, noise and all; of a sample that is an outlier there is none.
   /// `noise` in [0, 1] tells how much there is.
   Curve_fitting(Skeleton_graph graph, const Surface& surface, const Samples& samples,
-                const std::vector<Surface_point>& points, double noise, Concurrency concurrency)
-    : graph_(std::move(graph)), surface_(surface), samples_(samples), points_(points),
+                const std::vector<Surface_point>& points, double noise,
+                const Curve_options& options, Concurrency concurrency)
+    : options_(options), graph_(std::move(graph)), surface_(surface), samples_(samples), points_(points),
       noise_(noise), concurrency_(concurrency)
   {}
 
@@ -88,7 +89,7 @@ private:
 
   void bridge(bool single_component)
   {
-    Bridging bridging(graph_, surface_.spacing);
+    Bridging bridging(graph_, surface_.spacing, options_);
     bridging.bridge_gaps();
     if(single_component)
       bridging.join_all();
@@ -100,7 +101,8 @@ private:
     measure_radii();
     centre_curve(
       graph_, points_of_vertices(), surface_.spacing,
-      [this](const std::vector<Vector3>& places) { return are_inside(places); }, concurrency_);
+      [this](const std::vector<Vector3>& places) { return are_inside(places); }, options_,
+      concurrency_);
   }
 
   void extend()
@@ -116,14 +118,14 @@ private:
   /// As far as one knows: in noise a thin limb has no inside that could be told.
   bool is_inside(const Vector3& q) const
   {
-    return surface_.winding_number(q) >= least_inside - noise_;
+    return surface_.winding_number(q) >= surface_.options.least_inside - noise_;
   }
 
   std::vector<bool> are_inside(const std::vector<Vector3>& places) const
   {
     std::vector<bool> result;
     for(double value : surface_.winding_number.at_places(places, concurrency_))
-      result.push_back(value >= least_inside - noise_);
+      result.push_back(value >= surface_.options.least_inside - noise_);
     return result;
   }
 
@@ -172,6 +174,7 @@ private:
     return result;
   }
 
+  const Curve_options& options_;
   Skeleton_graph graph_;
   const Surface& surface_;
   const Samples& samples_;
@@ -183,9 +186,10 @@ private:
 /// A curve through the middle of the limbs that a graph connects; see `Curve_fitting`.
 inline Skeleton_graph fit_curve(Skeleton_graph graph, const Surface& surface,
                                 const Samples& samples, const std::vector<Surface_point>& points,
-                                double noise, bool single_component, Concurrency concurrency)
+                                double noise, bool single_component, const Curve_options& options,
+                                Concurrency concurrency)
 {
-  return Curve_fitting(std::move(graph), surface, samples, points, noise, concurrency)
+  return Curve_fitting(std::move(graph), surface, samples, points, noise, options, concurrency)
     .run(single_component);
 }
 

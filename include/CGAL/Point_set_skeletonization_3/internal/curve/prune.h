@@ -6,6 +6,7 @@
 
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/branches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/stray_components.h>
@@ -19,14 +20,6 @@
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
-
-/// A limb is this much longer than half the width of one of its cross-sections. The corner of a
-/// plate and a dome are 1, a cone of 60 degrees is 1.7; a finger or toe 3 and more.
-constexpr double least_slenderness = 1.25;
-
-/// A limb shows this many patches, a ring around it; fewer are outliers that stick out, or that
-/// bridge the gap between two limbs.
-constexpr std::size_t least_patches = 6;
 
 /// The graph without the vertices marked `removed` and their edges; the order of the rest is kept.
 inline Skeleton_graph without(const Skeleton_graph& graph, const std::vector<bool>& removed)
@@ -72,8 +65,9 @@ class Spur_pruning
 public:
   /// `patches_of` are the patches of every vertex.
   Spur_pruning(const Skeleton_graph& graph, const Patches& patches,
-               const std::vector<std::vector<std::size_t>>& patches_of)
-    : graph_(graph), patches_(patches), patches_of_(patches_of)
+               const std::vector<std::vector<std::size_t>>& patches_of,
+               const Curve_options& options)
+    : options_(options), graph_(graph), patches_(patches), patches_of_(patches_of)
   {}
 
   /// Marks the vertices of spurs, the least slender first: removing one may turn its junction into a
@@ -88,7 +82,7 @@ public:
         if(!removed[e.first] && !removed[e.second])
           rest.edges.push_back(e);
       const auto adjacency = rest.adjacency();
-      double least = least_slenderness;
+      double least = options_.slenderness;
       Branch spur;
       for(Branch branch : branches(rest)) {
         if(adjacency[branch.front()].size() == 1)
@@ -97,7 +91,7 @@ public:
            adjacency[branch.back()].size() == 2)
           continue;
         const bool ends = adjacency[branch.back()].size() == 1;
-        const bool thin = number_of_patches(branch, ends) < least_patches;
+        const bool thin = static_cast<double>(number_of_patches(branch, ends)) < options_.least_patches;
         if(!ends && (branch.size() < 3 || !thin || !is_detour(branch, rest)))
           continue;
         const double s = thin ? 0 : slenderness(branch);
@@ -163,6 +157,7 @@ private:
     return result;
   }
 
+  const Curve_options& options_;
   const Skeleton_graph& graph_;
   const Patches& patches_;
   const std::vector<std::vector<std::size_t>>& patches_of_;
@@ -175,7 +170,8 @@ struct Pruned_quotient
   std::vector<bool> is_stray; ///< Of every vertex of the quotient: it stands for outliers.
 };
 
-inline Pruned_quotient prune(const Surface_quotient& quotient, const Patches& patches)
+inline Pruned_quotient prune(const Surface_quotient& quotient, const Patches& patches,
+                             const Curve_options& options)
 {
   const Skeleton_graph& graph = quotient.graph;
   const std::vector<std::vector<std::size_t>> patches_of =
@@ -185,8 +181,8 @@ inline Pruned_quotient prune(const Surface_quotient& quotient, const Patches& pa
     for(std::size_t i : patches_of[v])
       weights[v] += patches[i].weight;
   Pruned_quotient result;
-  result.is_stray = stray_vertices(graph, weights);
-  std::vector<bool> removed = Spur_pruning(graph, patches, patches_of).spurs();
+  result.is_stray = stray_vertices(graph, weights, options.stray_share);
+  std::vector<bool> removed = Spur_pruning(graph, patches, patches_of, options).spurs();
   for(std::size_t v = 0; v < removed.size(); ++v)
     removed[v] = removed[v] || result.is_stray[v];
   mark_caps(graph, removed);

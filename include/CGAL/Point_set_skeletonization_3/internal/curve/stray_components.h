@@ -16,14 +16,10 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// A component with less than this share of the points of the largest is a cluster of outliers: a
-/// part of the shape that small has no skeleton to speak of.
-constexpr double stray_share = 0.01;
-
 /// Marks the vertices of components that stand for next to no points; `weight` is the number of
-/// points of every vertex.
+/// points of every vertex, `stray_share` a share of those of the largest component.
 inline std::vector<bool> stray_vertices(const Skeleton_graph& graph,
-                                        const std::vector<double>& weight)
+                                        const std::vector<double>& weight, double stray_share)
 {
   Union_find parts(graph.vertices.size());
   for(const Skeleton_graph::Edge& e : graph.edges)

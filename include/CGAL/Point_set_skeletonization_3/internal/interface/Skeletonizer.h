@@ -19,6 +19,7 @@ namespace internal {
 
 class Moment_grid;
 class Normalization;
+struct Options;
 
 /// The stages of the default method and what each of them leaves, behind an interface without a kernel:
 /// what is behind it is compiled once, whatever the user's points are.
@@ -29,6 +30,9 @@ public:
   Skeletonizer(Skeletonizer&&) noexcept;
   Skeletonizer& operator=(Skeletonizer&&) noexcept;
   ~Skeletonizer();
+
+  /// The same with other options than the defaults.
+  Skeletonizer(Concurrency concurrency, const Options& options);
 
   // The stages throw `Cancelled` if the callback cancels, and leave nothing of a stage then.
 

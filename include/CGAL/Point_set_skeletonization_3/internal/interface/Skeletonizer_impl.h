@@ -11,6 +11,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/interface/plain_conversion.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Grid_mixture.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Moment_grid.h>
+#include <CGAL/Point_set_skeletonization_3/internal/pipeline/Options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/pipeline/link_samples.h>
 #include <CGAL/Point_set_skeletonization_3/internal/pipeline/medial_surface.h>
 
@@ -30,7 +31,7 @@ struct Skeletonizer::State
   static constexpr std::size_t number_of_levels = 3; // for who reads the mixture; we read the first
 
   Concurrency concurrency;
-  Linking_options linking;
+  Options options;
 
   Normalization normalization;
   Cells_of_points cell_of_point;  ///< In the finest level; none of points that were streamed.
@@ -121,7 +122,14 @@ Skeletonizer::Skeletonizer(Concurrency concurrency, bool single_component)
   : state_(std::make_unique<State>())
 {
   state_->concurrency = concurrency;
-  state_->linking.single_component = single_component;
+  state_->options.linking.single_component = single_component;
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+Skeletonizer::Skeletonizer(Concurrency concurrency, const Options& options)
+  : Skeletonizer(concurrency)
+{
+  state_->options = options;
 }
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
@@ -139,7 +147,7 @@ void Skeletonizer::fit_mixture(const Point_source& points, const Progress& progr
   State& state = *state_;
   state.forget_mixture();
   state.normalization = normalization_of(points, state.concurrency, progress.part(0, 0.2));
-  state.set_mixture(grid_mixture({points, state.normalization}, Grid_options(),
+  state.set_mixture(grid_mixture({points, state.normalization}, state.options.mixture,
                                  State::number_of_levels, state.concurrency,
                                  progress.part(0.2, 1)));
 }
@@ -149,7 +157,7 @@ void Skeletonizer::fit_mixture(const Moment_grid& points, const Normalization& n
 {
   state_->forget_mixture();
   state_->normalization = normalization;
-  state_->set_mixture(grid_mixture(points, Grid_options(), State::number_of_levels));
+  state_->set_mixture(grid_mixture(points, state_->options.mixture, State::number_of_levels));
 }
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
@@ -159,10 +167,9 @@ void Skeletonizer::set_mixture(const Plain_mixture& mixture)
   state.forget_mixture();
   if(mixture.levels.empty() || mixture.levels.front().empty())
     return;
-  Extent extent;
-  for(std::size_t i = 0; i < mixture.levels.front().size(); ++i)
-    extent.add(i, to_vector(mixture.levels.front()[i].mean));
-  state.normalization = extent.normalization();
+  state.normalization =
+    normalization_of(mixture.box, mixture.levels.front(),
+                     [](const Plain_gaussian& g) -> const Plain_gaussian& { return g; });
   for(const std::vector<Plain_gaussian>& level : mixture.levels) {
     state.mixture.emplace_back();
     for(const Plain_gaussian& g : level)
@@ -178,7 +185,7 @@ void Skeletonizer::project(const Progress& progress)
   state.forget_samples();
   if(!state.mixture.empty())
     state.medial = medial_surface(state.mixture.front(), state.cell_size,
-                                  Medial_surface_options(), state.concurrency, progress);
+                                  state.options.medial, state.concurrency, progress);
 }
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
@@ -188,10 +195,9 @@ void Skeletonizer::set_samples(const Plain_samples& plain)
   state.forget_mixture();
   if(plain.samples.empty())
     return;
-  Extent extent;
-  for(std::size_t i = 0; i < plain.samples.size(); ++i)
-    extent.add(i, to_vector(plain.samples[i].patch.mean));
-  state.normalization = extent.normalization();
+  state.normalization =
+    normalization_of(plain.box, plain.samples,
+                     [](const Plain_sample& s) -> const Plain_gaussian& { return s.patch; });
 
   Consolidated_mixture patches;
   Samples samples;
@@ -205,7 +211,8 @@ void Skeletonizer::set_samples(const Plain_samples& plain)
   patches.neighbors =
     k_nearest_neighbors(patches.tree, surface_neighbors + 1, state.concurrency);
   Surface surface =
-    build_surface(patches.patches, patches.tree, patches.neighbors, state.concurrency);
+    build_surface(patches.patches, patches.tree, patches.neighbors, state.options.medial.surface,
+                  state.concurrency);
 
   // The points of the surface take the place of the mixture's components.
   state.mixture.emplace_back();
@@ -232,7 +239,7 @@ void Skeletonizer::link(const Progress& progress)
   const Medial_surface& medial = *state.medial;
   Linked_samples linked =
     link_samples(medial.surface, medial.samples, medial.consolidated.noise,
-                 state.surface_points(), state.linking, state.concurrency, progress);
+                 state.surface_points(), state.options.linking, state.concurrency, progress);
   state.graph = std::move(linked.graph);
   state.vertex_of_sample = std::move(linked.vertex_of_sample);
   state.assign_components();
@@ -257,6 +264,7 @@ Plain_samples Skeletonizer::samples() const
                               to_plain(medial.samples[i].position, normalization),
                               medial.samples[i].radius * normalization.diagonal()});
   result.noise = medial.consolidated.noise;
+  result.box = plain_box(normalization);
   for(const Surface_point& p : state_->surface_points())
     result.surface.emplace_back(to_plain(p.position, normalization), p.sample);
   return result;

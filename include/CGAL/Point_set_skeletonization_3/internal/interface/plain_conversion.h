@@ -10,6 +10,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/interface/plain_data.h>
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -43,6 +44,24 @@ inline Gaussian from_plain(const Plain_gaussian& g, const Normalization& normali
           normalization.covariance_to_unit(covariance)};
 }
 
+inline Plain_box plain_box(const Normalization& normalization)
+{
+  const Vector3 lower = normalization.lower(), upper = normalization.upper();
+  return {{{lower.x(), lower.y(), lower.z()}}, {{upper.x(), upper.y(), upper.z()}}, true};
+}
+
+/// By the box, or where it is not known by that of the means of patches.
+template <typename PatchOf, typename Range>
+Normalization normalization_of(const Plain_box& box, const Range& range, const PatchOf& patch_of)
+{
+  Extent extent;
+  std::size_t i = 0;
+  for(const auto& item : range)
+    extent.add(i++, to_vector(patch_of(item).mean));
+  const Normalization by_means = extent.normalization(); // throws
+  return box.is_known ? Normalization(to_vector(box.lower), to_vector(box.upper)) : by_means;
+}
+
 inline Plain_mixture to_plain(const std::vector<Gaussians>& levels, double cell_size,
                               const Normalization& normalization)
 {
@@ -53,6 +72,7 @@ inline Plain_mixture to_plain(const std::vector<Gaussians>& levels, double cell_
       result.levels.back().push_back(to_plain(g, normalization));
   }
   result.cell_size = cell_size * normalization.diagonal();
+  result.box = plain_box(normalization);
   return result;
 }
 

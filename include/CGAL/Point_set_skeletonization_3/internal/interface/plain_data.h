@@ -26,8 +26,16 @@ struct Plain_gaussian
   std::array<double, 6> covariance{}; ///< The upper triangle, row by row.
 };
 
+/// The bounding box of the input.
+struct Plain_box
+{
+  Plain_point lower{}, upper{};
+  bool is_known = false;
+};
+
 struct Plain_mixture
 {
+  Plain_box box;
   std::vector<std::vector<Plain_gaussian>> levels; ///< Finest level first.
   double cell_size = 0;                            ///< Of the finest level; 0: it has no cells.
 };
@@ -41,6 +49,7 @@ struct Plain_sample
 
 struct Plain_samples
 {
+  Plain_box box;
   std::vector<Plain_sample> samples;
   double noise = 0; ///< In [0, 1].
   std::vector<std::pair<Plain_point, std::size_t>> surface; ///< Points with their samples.

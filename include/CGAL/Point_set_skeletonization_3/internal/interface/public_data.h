@@ -10,6 +10,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Point_source.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/plain_data.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -66,6 +67,20 @@ Plain_gaussian to_plain(const Gaussian_component_3<GeomTraits>& g)
   return result;
 }
 
+inline Bbox_3 to_public(const Plain_box& box)
+{
+  return box.is_known ? Bbox_3(box.lower[0], box.lower[1], box.lower[2], //
+                               box.upper[0], box.upper[1], box.upper[2])
+                      : Bbox_3();
+}
+
+inline Plain_box to_plain(const Bbox_3& box)
+{
+  return {{{(box.xmin)(), (box.ymin)(), (box.zmin)()}},
+          {{(box.xmax)(), (box.ymax)(), (box.zmax)()}},
+          (box.xmin)() <= (box.xmax)()};
+}
+
 template <typename GeomTraits>
 Gaussian_mixture_3<GeomTraits> to_public(const Plain_mixture& mixture)
 {
@@ -76,6 +91,7 @@ Gaussian_mixture_3<GeomTraits> to_public(const Plain_mixture& mixture)
       result.levels.back().push_back(to_public<GeomTraits>(g));
   }
   result.cell_size = static_cast<typename GeomTraits::FT>(mixture.cell_size);
+  result.bbox = to_public(mixture.box);
   return result;
 }
 
@@ -89,6 +105,7 @@ Plain_mixture to_plain(const Gaussian_mixture_3<GeomTraits>& mixture)
       result.levels.back().push_back(to_plain(g));
   }
   result.cell_size = CGAL::to_double(mixture.cell_size);
+  result.box = to_plain(mixture.bbox);
   return result;
 }
 
@@ -101,6 +118,7 @@ Medial_samples_3<GeomTraits> to_public(const Plain_samples& samples)
     result.samples.push_back({to_public<GeomTraits>(s.patch), to_public<GeomTraits>(s.point),
                               static_cast<FT>(s.radius)});
   result.noise = static_cast<FT>(samples.noise);
+  result.bbox = to_public(samples.box);
   for(const auto& [point, sample] : samples.surface)
     result.surface.emplace_back(to_public<GeomTraits>(point), sample);
   return result;
@@ -113,6 +131,7 @@ Plain_samples to_plain(const Medial_samples_3<GeomTraits>& samples)
   for(const auto& s : samples.samples)
     result.samples.push_back({to_plain(s.patch), to_plain(s.point), CGAL::to_double(s.radius)});
   result.noise = CGAL::to_double(samples.noise);
+  result.box = to_plain(samples.bbox);
   for(const auto& [point, sample] : samples.surface)
     result.surface.emplace_back(to_plain(point), sample);
   return result;

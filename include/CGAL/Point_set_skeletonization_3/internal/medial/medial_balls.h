@@ -10,8 +10,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Packet_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/facing.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/orient_patches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface_options.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -22,24 +22,18 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-struct Medial_ball_options
-{
-  /// How much the radius may change over a way along the surface: thickness changes no faster. What
-  /// faces the tip of a limb is the body at its other end, not the tip's other side.
-  double slope = 0.5;
-};
-
 /// The balls between the patches whose orientation can be trusted.
 class Facing_balls
 {
 public:
   /// `tree` is over the patches.
-  Facing_balls(const Patches& patches, const std::vector<double>& confidence, const Box_tree& tree)
-    : box_tree_(tree), tree_(tree)
+  Facing_balls(const Patches& patches, const std::vector<double>& confidence, const Box_tree& tree,
+               const Surface_options& options)
+    : box_tree_(tree), tree_(tree), facing_(static_cast<float>(options.opposite_normals))
   {
     std::vector<Vector3> normals(patches.size(), Vector3::Zero()); // which faces nothing
     for(std::size_t i = 0; i < patches.size(); ++i)
-      if(confidence[i] >= trusted_orientation)
+      if(confidence[i] >= options.trusted_orientation)
         normals[i] = patches[i].normal;
     for(const Box_tree::Box& box : tree.boxes_of(normals))
       normal_boxes_.push_back(box.cast<float>());
@@ -102,7 +96,7 @@ private:
     {
       const Eigen::Vector3f& normal = all_.normals_[other];
       const Packet_vectors d = mean_.to(all_.tree_.positions()[other]);
-      const Packet_values face = is_positive(facing - normal_.dot(normal));
+      const Packet_values face = is_positive(all_.facing_ - normal_.dot(normal));
       const Packet_values curvature = (-2 * face * d.dot(normal_) / d.squared_norm().max(least)).max(0);
       const Packet_values rest = curvature.min(first_), second_rest = rest.min(second_);
       first_ = first_.max(curvature);
@@ -127,11 +121,10 @@ private:
                           (-radius * normal_.y).max(lower.y).min(upper.y),
                           (-radius * normal_.z).max(lower.z).min(upper.z)};
       const Packet_values power = third_ * d.squared_norm() + 2 * d.dot(normal_);
-      return (cosine - facing).max(power).minCoeff() < 0;
+      return (cosine - all_.facing_).max(power).minCoeff() < 0;
     }
 
   private:
-    static constexpr auto facing = static_cast<float>(opposite_normals);
     static constexpr float least = 1e-20f; // instead of 0
 
     const Facing_balls& all_;
@@ -164,6 +157,7 @@ private:
 
   Box_tree box_tree_;
   Packet_tree tree_;
+  float facing_; ///< Cosine of normals below which they face each other.
   std::vector<Eigen::AlignedBox3f> normal_boxes_; ///< Of every node of the tree.
   std::vector<Eigen::Vector3f> normals_; ///< In the order of the tree; 0 if not to be trusted.
 };
@@ -234,17 +228,16 @@ inline void limit_slope(std::vector<double>& values, const Patches& patches, dou
 /// et al. 2012) are at the mercy of every patch nearby; restricted to patches that face each other
 /// the relative error is that of the patches over the thickness. Three passes of a median filter
 /// remove what is left of outliers, and patches without a ball get that of their surroundings; 0 where
-/// there is none at all. `tree` is over the patches.
-inline std::vector<double> medial_ball_radii(const Patches& patches,
-                                             const std::vector<double>& confidence,
-                                             const Box_tree& tree,
-                                             const Medial_ball_options& options,
+/// there is none at all. `slope` bounds how much the radius changes along the surface.
+inline std::vector<double> medial_ball_radii(const Surface& surface, double slope,
                                              Concurrency concurrency)
 {
-  std::vector<double> radii = Facing_balls(patches, confidence, tree).radii(concurrency);
+  const Patches& patches = surface.patches;
+  std::vector<double> radii =
+    Facing_balls(patches, surface.confidence, surface.tree, surface.options).radii(concurrency);
   for(int pass = 0; pass < 3; ++pass)
     radii = median_filtered(radii, patches, concurrency);
-  limit_slope(radii, patches, options.slope);
+  limit_slope(radii, patches, slope);
   return radii;
 }
 

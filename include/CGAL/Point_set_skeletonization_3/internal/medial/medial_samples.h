@@ -8,8 +8,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/medial_balls.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/inside.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/orient_patches.h>
+
+#include <CGAL/assertions.h>
 
 #include <cstddef>
 #include <vector>
@@ -18,13 +18,26 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
+/// What a medial ball may be like.
 struct Medial_options
 {
-  Medial_ball_options balls;
+  /// How much the radius may change over a path along the surface: thickness changes no faster. What
+  /// faces the tip of a limb is the body at its other end, not the tip's other side.
+  double slope = 0.5;
 
   /// Radii that a sample may be away from its patch, beside one spacing. A limb is wider than thick,
   /// and in a flat part a sample slides along its medial sheet.
   double reach = 3;
+
+  void check() const { CGAL_precondition(slope > 0 && reach >= 1); }
+
+  /// Calls `visit(name, value)` for every option.
+  template <typename Visit>
+  void visit(const Visit& visit)
+  {
+    visit("slope", slope);
+    visit("reach", reach);
+  }
 };
 
 /// Moves every patch of a surface to the centre of its medial ball. The sample of a patch stays on the
@@ -33,9 +46,10 @@ struct Medial_options
 inline Samples medial_samples(const Surface& surface, const Medial_options& options,
                               Concurrency concurrency)
 {
+  options.check();
+  const double least_inside = surface.options.least_inside;
   const Patches& patches = surface.patches;
-  const std::vector<double> balls =
-    medial_ball_radii(patches, surface.confidence, surface.tree, options.balls, concurrency);
+  const std::vector<double> balls = medial_ball_radii(surface, options.slope, concurrency);
 
   std::vector<Vector3> centers; // in the order of the tree: those next to each other are close
   centers.reserve(patches.size());
@@ -46,8 +60,8 @@ inline Samples medial_samples(const Surface& surface, const Medial_options& opti
   std::vector<Vector3> positions(patches.size());
   std::vector<char> is_inside(patches.size());
   for(std::size_t i = 0; i < patches.size(); ++i) {
-    is_inside[i] =
-      surface.confidence[i] >= trusted_orientation && at_centers[i] >= least_inside;
+    is_inside[i] = surface.confidence[i] >= surface.options.trusted_orientation &&
+                   at_centers[i] >= least_inside;
     positions[i] =
       is_inside[i] ? Vector3(patches[i].mean - balls[i] * patches[i].normal) : patches[i].mean;
   }

@@ -6,12 +6,14 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/fit_curve.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Ball_overlaps.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Separator_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/local_separators.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
@@ -36,8 +38,17 @@ struct Linked_samples
 
 struct Linking_options
 {
+  Separator_options separators;
+  Curve_options curve;
+
   /// Whether all parts are joined, not only those between which a gap in the data is plausible.
   bool single_component = false;
+
+  void check() const
+  {
+    separators.check();
+    curve.check();
+  }
 };
 
 /// Stage 3: samples to a curve skeleton.
@@ -51,15 +62,16 @@ inline Linked_samples link_samples(const Surface& surface, const Samples& sample
                                    const Linking_options& options, Concurrency concurrency,
                                    const Progress& progress)
 {
+  options.check();
   // Without noise the ball of a patch is unknown where limbs touch; noise hides it in any thin limb.
-  const Ball_overlaps overlaps(surface.patches, samples, noise, concurrency);
+  const Ball_overlaps overlaps(surface, samples, noise, options.separators.overlap, concurrency);
   progress(0.1);
   const std::vector<Local_separator> separators =
-    local_separators(surface, samples, overlaps, concurrency);
+    local_separators(surface, samples, overlaps, options.separators, concurrency);
   progress(0.6);
   const Surface_quotient quotient =
     surface_quotient(surface.patches, samples, overlaps, separators, concurrency);
-  const Pruned_quotient pruned = prune(quotient, surface.patches);
+  const Pruned_quotient pruned = prune(quotient, surface.patches, options.curve);
   progress(0.7);
 
   const auto is_outlier = [&](std::size_t sample) {
@@ -70,7 +82,7 @@ inline Linked_samples link_samples(const Surface& surface, const Samples& sample
                points.end());
   Linked_samples result;
   result.graph = fit_curve(pruned.graph, surface, samples, points, noise,
-                           options.single_component, concurrency);
+                           options.single_component, options.curve, concurrency);
   progress(0.95);
   result.vertex_of_sample = vertices_of_samples(result.graph, surface, samples, concurrency);
   for(std::size_t i = 0; i < samples.size(); ++i)

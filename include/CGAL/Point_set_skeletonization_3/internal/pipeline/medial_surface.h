@@ -28,6 +28,7 @@ struct Medial_surface
 struct Medial_surface_options
 {
   Consolidation_options consolidation;
+  Surface_options surface;
   Medial_options samples;
 };
 
@@ -41,7 +42,8 @@ inline Medial_surface medial_surface(const Gaussians& components, double cell_si
     consolidate(components, cell_size, options.consolidation, concurrency);
   progress(0.4);
   Surface surface =
-    build_surface(consolidated.patches, consolidated.tree, consolidated.neighbors, concurrency);
+    build_surface(consolidated.patches, consolidated.tree, consolidated.neighbors, options.surface,
+                  concurrency);
   progress(0.7);
   Samples samples = medial_samples(surface, options.samples, concurrency);
   progress(1);

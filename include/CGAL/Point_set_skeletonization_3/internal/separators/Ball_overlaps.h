@@ -9,6 +9,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,14 +31,14 @@ struct Medial_ball
 };
 
 /// The ball of every patch: around its sample, if that is off the surface. Patches without one take
-/// that of the nearest patch along the surface, but not across a crease and not from far away: where
+/// that of the nearest patch along the surface, but not across a `crease`, a cosine between normals, and
+/// not from far away: where
 /// two limbs touch no normal can be trusted, and every patch is beside the limb it belongs to.
 inline std::vector<Medial_ball> known_balls(const Patches& patches,
-                                         const Samples& samples)
+                                         const Samples& samples, double crease)
 {
   constexpr double reach = 3;       // spacings: half of what a normal is estimated from, and a bit
   constexpr double ball_share = 0.5; // radii: a thick limb touches another with more patches
-  constexpr double crease = 0.3;    // cosine of 70 degrees between normals
 
   std::vector<Medial_ball> balls(patches.size());
   using Step = std::tuple<double, std::size_t, std::size_t>; // length, patch, the one it comes from
@@ -95,14 +96,17 @@ inline double relative_overlap(const Medial_ball& a, const Medial_ball& b)
 class Ball_overlaps
 {
 public:
-  /// `unknown` counts for a pair of which a patch has no ball.
-  Ball_overlaps(const Patches& patches, const Samples& samples, double unknown,
-                Concurrency concurrency)
+  /// `unknown` counts for a pair of which a patch has no ball; `least_overlap` is what the balls in one
+  /// limb have at least.
+  Ball_overlaps(const Surface& surface, const Samples& samples, double unknown,
+                double least_overlap, Concurrency concurrency)
+    : least_overlap_(least_overlap)
   {
+    const Patches& patches = surface.patches;
     std::vector<Medial_ball> balls;
     parallel_invoke(
       concurrency, [&] { pairs_ = adjacent_pairs(patches); },
-      [&] { balls = known_balls(patches, samples); });
+      [&] { balls = known_balls(patches, samples, -surface.options.opposite_normals); });
     overlaps_.resize(pairs_.size());
     parallel_for(concurrency, pairs_.size(), [&](std::size_t k) {
       const Medial_ball &a = balls[pairs_[k].a], &b = balls[pairs_[k].b];
@@ -116,13 +120,11 @@ public:
   /// Of the `k`-th pair.
   double operator[](std::size_t k) const { return overlaps_[k]; }
 
-  /// Whether one limb goes on from one patch of the `k`-th pair to the other. The circle has half of
-  /// the radius where two round limbs of the same size cross each other with an eighth of their width.
-  bool are_in_one_limb(std::size_t k) const { return overlaps_[k] >= least_overlap; }
+  /// Whether one limb goes on from one patch of the `k`-th pair to the other.
+  bool are_in_one_limb(std::size_t k) const { return overlaps_[k] >= least_overlap_; }
 
 private:
-  static constexpr double least_overlap = 0.5;
-
+  double least_overlap_;
   std::vector<Patch_pair> pairs_;
   std::vector<double> overlaps_;
 };

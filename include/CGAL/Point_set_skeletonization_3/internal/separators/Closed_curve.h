@@ -7,8 +7,8 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Winding_number.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/inside.h>
 
 #include <CGAL/number_utils.h>
 
@@ -31,10 +31,10 @@ class Closed_curve
 {
 public:
   /// `curve` has its points in order. \pre it is not empty; `resolution` is positive
-  Closed_curve(const std::vector<Vector3>& curve, double resolution,
-              const Winding_number& winding_number)
+  Closed_curve(const std::vector<Vector3>& curve, double resolution, const Surface& surface)
       : resolution_(resolution)
-      , winding_number_(winding_number)
+      , air_(surface.options.air)
+      , winding_number_(surface.winding_number)
   {
     double length = 0;
     for(std::size_t i = 0; i < curve.size(); ++i)
@@ -58,7 +58,7 @@ public:
   {
     const std::vector<double> values = winding_number_.at_places(
       std::vector<Vector3>(points_.begin(), points_.begin() + size_), Concurrency::sequential);
-    return *std::min_element(values.begin(), values.end()) >= air;
+    return *std::min_element(values.begin(), values.end()) >= air_;
   }
 
   /// Whether the solid lets the curve be moved onto another one, every point straight to the nearest:
@@ -156,11 +156,11 @@ private:
       const std::array<double, 4> winding_numbers = winding_number_(means);
       bool moved = false;
       for(std::size_t k = 0; k < 4 && !moved; ++k)
-        moved = winding_numbers[k] >= air && move(i, means[k]);
+        moved = winding_numbers[k] >= air_ && move(i, means[k]);
       if(moved)
         continue;
       const Vector3 beside = means[3] + resolution_ / 2 * away_from_air(points_[i]);
-      if(winding_number_(beside) >= air)
+      if(winding_number_(beside) >= air_)
         move(i, beside);
     }
   }
@@ -208,7 +208,7 @@ private:
       for(std::size_t k = 0; k < 4; ++k)
         places[k] = from + std::min(1.0, (step + static_cast<double>(k)) / steps) * (to - from);
       const std::array<double, 4> values = winding_number_(places);
-      if(*std::min_element(values.begin(), values.end()) < air)
+      if(*std::min_element(values.begin(), values.end()) < air_)
         return false;
     }
     return true;
@@ -216,6 +216,7 @@ private:
 
   std::size_t size_ = size; ///< Of its points, those that are left.
   double resolution_;
+  double air_; ///< Winding number below which a place is outside.
   const Winding_number& winding_number_;
   std::array<Vector3, size> points_;
 };

@@ -8,6 +8,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Local_separator.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Separator_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
 
@@ -57,8 +58,9 @@ class Growing_region
 {
 public:
   Growing_region(const Patches& patches, const Patch_graph& graph,
-                 const Samples& samples)
-      : patches_(patches)
+                 const Samples& samples, const Separator_options& options)
+      : options_(options)
+      , patches_(patches)
       , graph_(graph)
       , samples_(samples)
       , region_(patches.size())
@@ -89,8 +91,6 @@ public:
   {
     // The ball of a round limb touches it all around; a tenth more holds its ring of patches.
     constexpr double growth = 1.1;
-    // The flattest limbs that are seen: their width over their thickness.
-    constexpr double flattest = 6;
 
     center_ = samples_[seed].position;
     const double radius = std::max(samples_[seed].radius, patches_[seed].spacing / 2);
@@ -101,7 +101,7 @@ public:
     std::size_t size = 0; // of the region when its front was last looked at
     bool is_in_one_piece = true; // its front, as far as it was looked at, but for little
     bool is_bounded = true;      // it holds less than half of the shape
-    for(double reach = growth * radius; reach < flattest * radius; reach *= growth) {
+    for(double reach = growth * radius; reach < options_.flattest * radius; reach *= growth) {
       grow(reach);
       is_bounded = !front_.empty() && region_.size() <= patches_.size() / 2;
       if(!is_bounded)
@@ -119,7 +119,7 @@ public:
     // A sheet may be thinner than its patches are wide. Where a limb is, every ring may count.
     const bool is_sheet = is_bounded && is_in_one_piece;
     const double same =
-      std::max(same_place * radius, is_sheet ? same_patch * patches_[seed].spacing : 0);
+      std::max(options_.same_place * radius, is_sheet ? same_patch * patches_[seed].spacing : 0);
     for(std::size_t i : region_)
       if(label_[i] != on_separator && (positions_[i] - center_).squaredNorm() < same * same)
         result.same.push_back(i);
@@ -127,8 +127,6 @@ public:
     return result;
   }
 
-  /// Balls whose centres are closer than this, in radii, hold mostly the same.
-  static constexpr double same_place = 0.4;
   /// Half of the diagonal of a patch, in spacings.
   static constexpr double same_patch = 0.7;
 
@@ -209,15 +207,12 @@ private:
     front_.shorten(0);
   }
 
-  /// Of the larger: limbs do not taper faster in one ball.
-  static constexpr double least_share = 0.2;
-
   /// The front in parts that do not hang together, the largest first; none if what is beside the
   /// largest is too little for a limb.
   std::vector<Part> connected_parts()
   {
     std::vector<Part> parts;
-    const double enough = static_cast<double>(front_.size()) / (1 + least_share);
+    const double enough = static_cast<double>(front_.size()) / (1 + options_.least_share);
     bool splits = true;
     found_.shorten(0);
     const auto add = [&](std::size_t i) {
@@ -248,16 +243,14 @@ private:
     return parts;
   }
 
-  /// Whether a limb goes on from the region in two directions. More than two make a junction, which
-  /// is what the separators around it leave over; a small part of the front is a dent or a bump.
-  static bool splits(const std::vector<Part>& parts)
+  /// Whether a limb goes on from the region in two directions, and no more.
+  bool splits(const std::vector<Part>& parts) const
   {
-    constexpr double junction_share = 0.3;
     const auto share = [&](std::size_t a, std::size_t b) {
       return static_cast<double>(parts[a].size()) / static_cast<double>(parts[b].size());
     };
-    return parts.size() >= 2 && share(1, 0) >= least_share &&
-           (parts.size() == 2 || share(2, 1) <= junction_share);
+    return parts.size() >= 2 && share(1, 0) >= options_.least_share &&
+           (parts.size() == 2 || share(2, 1) <= options_.junction_share);
   }
 
   /// The patches halfway between the first two parts: those of the one half next to the other.
@@ -334,6 +327,7 @@ private:
     }
   }
 
+  const Separator_options& options_;
   const Patches& patches_;
   const Patch_graph& graph_;
   const Samples& samples_;

@@ -10,6 +10,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Closed_curve.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Local_separator.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Path_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Separator_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
@@ -33,8 +34,9 @@ class Separator_choice
 {
 public:
   Separator_choice(std::vector<Local_separator> candidates, const Surface& surface,
-                   const Samples& samples, const Patch_graph& limbs, Concurrency concurrency)
-    : candidates_(std::move(candidates)), surface_(surface), samples_(samples),
+                   const Samples& samples, const Patch_graph& limbs,
+                   const Separator_options& options, Concurrency concurrency)
+    : options_(options), candidates_(std::move(candidates)), surface_(surface), samples_(samples),
       concurrency_(concurrency),
       search_(concurrency, [&] { return Path_search(surface.patches, limbs); }),
       paths_(candidates_.size()), is_taken_(surface.patches.size(), false)
@@ -67,9 +69,6 @@ public:
 
 private:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-
-  /// What the points show as a hole is surrounded by more patches than that.
-  static constexpr std::size_t around_a_tip = 4;
 
   /// A path from one side of a separator to the other.
   struct Path
@@ -131,7 +130,7 @@ private:
     });
     const std::size_t known = curves_.size();
     for(std::size_t s : wanted)
-      if(paths_[s]->patches.size() > around_a_tip)
+      if(static_cast<double>(paths_[s]->patches.size()) > options_.around_a_tip)
         paths_[s]->curve = curve_like(closed_curve(paths_[s]->patches, candidates_[s]));
     parallel_for(concurrency_, curves_.size() - known, [&](std::size_t k) {
       Known_curve& curve = curves_[known + k];
@@ -145,8 +144,7 @@ private:
     std::vector<Vector3> positions;
     for(std::size_t i : path)
       positions.push_back(samples_[i].position);
-    return Closed_curve(positions, surface_.patches[separator.patches.front()].spacing,
-                        surface_.winding_number);
+    return Closed_curve(positions, surface_.patches[separator.patches.front()].spacing, surface_);
   }
 
   /// The index of a curve that is contractible if this one is: a known one, or a new one.
@@ -162,6 +160,7 @@ private:
     return result;
   }
 
+  const Separator_options& options_;
   std::vector<Local_separator> candidates_;
   const Surface& surface_;
   const Samples& samples_;
@@ -181,9 +180,11 @@ inline std::vector<Local_separator> choose_separators(std::vector<Local_separato
                                                       const Surface& surface,
                                                       const Samples& samples,
                                                       const Patch_graph& limbs,
+                                                      const Separator_options& options,
                                                       Concurrency concurrency)
 {
-  return Separator_choice(std::move(candidates), surface, samples, limbs, concurrency).run();
+  return Separator_choice(std::move(candidates), surface, samples, limbs, options, concurrency)
+    .run();
 }
 
 } // namespace internal

@@ -11,6 +11,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Ball_overlaps.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Growing_region.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Local_separator.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Separator_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/choose_separators.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
@@ -27,10 +28,10 @@ namespace Point_set_skeletonization_3 {
 namespace internal {
 
 /// Patches to grow regions from, ascending: no sample of one at the place of that of another.
-inline std::vector<std::size_t> separator_seeds(const Samples& samples, Concurrency concurrency)
+inline std::vector<std::size_t> separator_seeds(const Samples& samples,
+                                                const Separator_options& options,
+                                                Concurrency concurrency)
 {
-  // Regions grown from places closer than this share of their radius would be the same.
-  constexpr double same_place = 0.15;
   const Box_tree places(positions_of(samples), concurrency);
   std::vector<bool> tried(samples.size(), false);
   std::vector<std::size_t> seeds;
@@ -38,7 +39,7 @@ inline std::vector<std::size_t> separator_seeds(const Samples& samples, Concurre
     if(tried[seed])
       continue;
     seeds.push_back(seed);
-    places.visit_within(samples[seed].position, same_place * samples[seed].radius,
+    places.visit_within(samples[seed].position, options.same_seed * samples[seed].radius,
                         [&](std::size_t k, double) { tried[places.order()[k]] = true; });
   }
   return seeds;
@@ -52,6 +53,7 @@ inline std::vector<Local_separator> grown_separators(const Patches& patches,
                                                      const Samples& samples,
                                                      const Patch_graph& graph,
                                                      const std::vector<std::size_t>& seeds,
+                                                     const Separator_options& options,
                                                      Concurrency concurrency)
 {
   constexpr int enough = 2;
@@ -59,7 +61,7 @@ inline std::vector<Local_separator> grown_separators(const Patches& patches,
   // so the result does not depend on the number of threads. More rounds skip hardly more seeds.
   constexpr std::size_t rounds = 8;
   Per_thread<Growing_region> region(
-    concurrency, [&] { return Growing_region(patches, graph, samples); });
+    concurrency, [&] { return Growing_region(patches, graph, samples, options); });
   std::vector<Growing_region::Result> results(seeds.size());
   std::vector<int> tried(patches.size(), 0);
   for(std::size_t round = 0; round < rounds; ++round) {
@@ -86,23 +88,24 @@ inline std::vector<Local_separator> grown_separators(const Patches& patches,
 /// cross one place the tightest is the cross-section.
 inline std::vector<Local_separator> local_separators(const Surface& surface, const Samples& samples,
                                                      const Ball_overlaps& overlaps,
+                                                     const Separator_options& options,
                                                      Concurrency concurrency)
 {
   std::vector<std::size_t> seeds;
   std::optional<Patch_graph> graph, limbs;
   parallel_invoke(
-    concurrency, [&] { seeds = separator_seeds(samples, concurrency); },
+    concurrency, [&] { seeds = separator_seeds(samples, options, concurrency); },
     [&] {
       graph.emplace(surface.patches, overlaps.pairs());
       limbs.emplace(surface.patches, overlaps.pairs(),
                     [&](std::size_t k) { return overlaps.are_in_one_limb(k); });
     });
   std::vector<Local_separator> found =
-    grown_separators(surface.patches, samples, *graph, seeds, concurrency);
+    grown_separators(surface.patches, samples, *graph, seeds, options, concurrency);
   std::sort(found.begin(), found.end(), [](const Local_separator& a, const Local_separator& b) {
     return a.length != b.length ? a.length < b.length : a.patches < b.patches;
   });
-  return choose_separators(std::move(found), surface, samples, *limbs, concurrency);
+  return choose_separators(std::move(found), surface, samples, *limbs, options, concurrency);
 }
 
 } // namespace internal

@@ -19,6 +19,13 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
+/// The squared distance of a place to a box, 0 inside. Without a branch, unlike Eigen's
+/// `squaredExteriorDistance()`: which side a place is on nobody can guess.
+inline double squared_distance(const Eigen::AlignedBox3d& box, const Vector3& p)
+{
+  return ((box.min)() - p).cwiseMax(p - (box.max)()).cwiseMax(0).squaredNorm();
+}
+
 /// A balanced binary tree of bounding boxes over points, for sums that get coarser with distance and
 /// for what can be bounded in a box. It depends on the points only, and never changes: copies share
 /// it.
@@ -96,13 +103,15 @@ public:
   void visit_within(const Vector3& center, double radius, const Visit& visit) const
   {
     const double squared_radius = radius * radius;
+    const std::vector<Box>& boxes = this->boxes();
+    const std::vector<Vector3>& positions = this->positions();
     visit_leaves(
-      [&](std::size_t node) { return boxes()[node].squaredExteriorDistance(center) < squared_radius; },
+      [&](std::size_t node) { return squared_distance(boxes[node], center) < squared_radius; },
       [&](std::size_t begin, std::size_t end) {
         for(std::size_t k = begin; k < end; ++k) {
-          const double squared_distance = (positions()[k] - center).squaredNorm();
-          if(squared_distance < squared_radius)
-            visit(k, squared_distance);
+          const double squared = (positions[k] - center).squaredNorm();
+          if(squared < squared_radius)
+            visit(k, squared);
         }
       });
   }

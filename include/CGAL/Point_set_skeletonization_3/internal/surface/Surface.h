@@ -9,6 +9,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/K_nearest_neighbors.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Visible_surface.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Winding_number.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/estimate_patches.h>
@@ -25,6 +26,7 @@ namespace internal {
 /// An oriented surface of patches, and what the later stages ask it.
 struct Surface
 {
+  Surface_options options;
   Patches patches;
   double spacing; ///< The median over the patches.
   Box_tree tree;  ///< Over the patches.
@@ -36,16 +38,18 @@ struct Surface
 /// Reads Gaussians as an oriented surface. `tree` is over their means, `nearest` are the
 /// `surface_neighbors` of every one, itself first. O(n log n). \pre there is a Gaussian
 inline Surface build_surface(const Gaussians& gaussians, const Box_tree& tree,
-                             const K_nearest_neighbors& nearest, Concurrency concurrency)
+                             const K_nearest_neighbors& nearest, const Surface_options& options,
+                             Concurrency concurrency)
 {
-  Patches patches = estimate_patches(gaussians, nearest, concurrency);
+  options.check();
+  Patches patches = estimate_patches(gaussians, nearest, options, concurrency);
   const double spacing = median_spacing(patches);
   orient_patches(patches, concurrency);
-  Winding_number winding_number = settle_orientation(patches, tree, concurrency);
+  Winding_number winding_number = settle_orientation(patches, tree, options, concurrency);
   std::vector<double> confidence = orientation_confidence(patches, concurrency);
-  part_facing_patches(patches, confidence, concurrency);
+  part_facing_patches(patches, confidence, options, concurrency);
   Visible_surface visible(patches, confidence, tree);
-  return {std::move(patches),        spacing,           tree, std::move(confidence),
+  return {options, std::move(patches),        spacing,           tree, std::move(confidence),
           std::move(winding_number), std::move(visible)};
 }
 

@@ -12,6 +12,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/quantile.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/K_nearest_neighbors.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/facing.h>
 
 #include <CGAL/number_utils.h>
@@ -29,14 +30,11 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// A neighbour further away than this many times the spacing of either patch lies across a gap.
-/// Between two cells of a sampled surface the spacing itself varies by less than that.
-constexpr double adjacency_reach = 2.2;
-
 /// Normal and planarity of a patch, from its own moments and those of its neighbours with a
 /// Gaussian weight of the local spacing: few points make the moments of a single patch noisy.
 inline void estimate_normal(Patch& patch, const Gaussians& gaussians,
-                            const boost::iterator_range<const Neighbor*>& nearest)
+                            const boost::iterator_range<const Neighbor*>& nearest,
+                            double least_width)
 {
   Moments moments; // about the mean
   for(const auto& neighbor : nearest) {
@@ -46,8 +44,6 @@ inline void estimate_normal(Patch& patch, const Gaussians& gaussians,
   }
   const auto [variance, directions] = principal_axes(moments.gaussian(patch.mean).covariance);
   patch.normal = directions.col(0).normalized();
-  // A line has no normal: flat counts what is a tenth as wide as long.
-  constexpr double least_width = 0.1;
   if(variance[1] > 1e-10 * variance[2])
     patch.planarity = (1 - variance[0] / variance[1]) *
                       std::min(1.0, variance[1] / (least_width * variance[2]));
@@ -58,7 +54,7 @@ inline void estimate_normal(Patch& patch, const Gaussians& gaussians,
 /// Reads Gaussians as patches of a surface that know their neighbours on it. Their signs are arbitrary.
 /// `nearest` are the `surface_neighbors` of every one. O(n).
 inline Patches estimate_patches(const Gaussians& gaussians, const K_nearest_neighbors& nearest,
-                                Concurrency concurrency)
+                                const Surface_options& options, Concurrency concurrency)
 {
   Patches patches(gaussians.size());
   parallel_for(concurrency, patches.size(), [&](std::size_t i) {
@@ -71,16 +67,17 @@ inline Patches estimate_patches(const Gaussians& gaussians, const K_nearest_neig
     patch.spacing = std::max(patch.spacing, least_spacing);
     // Half of its neighbours share a disc of this radius with it.
     patch.area = CGAL_PI * patch.spacing * patch.spacing / static_cast<double>(middle + 1);
-    estimate_normal(patch, gaussians, nearest[i]);
+    estimate_normal(patch, gaussians, nearest[i], options.least_width);
   });
 
   parallel_for(concurrency, patches.size(), [&](std::size_t i) {
     patches[i].neighbors.reserve(2 * nearest[i].size()); // hardly ever more are added below
     for(const auto& neighbor : nearest[i]) {
       const std::size_t j = neighbor.index;
-      const double reach = adjacency_reach * std::min(patches[i].spacing, patches[j].spacing);
+      const double reach =
+        options.adjacency_reach * std::min(patches[i].spacing, patches[j].spacing);
       if(j != i && neighbor.squared_distance <= reach * reach &&
-         !are_opposite_sheets(patches[i], patches[j]))
+         !are_opposite_sheets(patches[i], patches[j], options))
         patches[i].neighbors.push_back(j);
     }
   });

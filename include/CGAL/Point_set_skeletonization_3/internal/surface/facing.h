@@ -5,6 +5,7 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_FACING_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface_options.h>
 
 #include <cmath>
 
@@ -15,30 +16,23 @@ namespace internal {
 // Whether two patches face each other is asked before and after the signs of normals are known, and of
 // patches that see each other through the shape or through the air. All of it is decided here.
 
-/// Normals that enclose more than this angle (cosine -0.3: 107 degrees) are opposite: the two sides of
-/// a limb, or of the air between two limbs. A crease between two limbs is a right angle or so, and a
-/// bump or noise on one side turns no normal as far.
-constexpr double opposite_normals = -0.3;
-
 /// Whether two patches, of arbitrary signs, belong to two sheets rather than to one: the segment
-/// between them leaves both within 60 degrees of their normals; the less flat they are, the closer.
-inline bool are_opposite_sheets(const Patch& a, const Patch& b)
+/// between them leaves both along their normals; the less flat they are, the closer to them.
+inline bool are_opposite_sheets(const Patch& a, const Patch& b, const Surface_options& options)
 {
-  constexpr double along_normal = 0.5; // cosine of 60 degrees
   const Vector3 d = (b.mean - a.mean).normalized();
-  return std::abs(a.normal.dot(d)) * a.planarity > along_normal &&
-         std::abs(b.normal.dot(d)) * b.planarity > along_normal;
+  return std::abs(a.normal.dot(d)) * a.planarity > options.along_normal &&
+         std::abs(b.normal.dot(d)) * b.planarity > options.along_normal;
 }
 
 /// Whether two oriented patches face each other through the air between two limbs that nearly touch:
-/// both lie in front of the other, in the mean by 66 degrees from the normal, or one straight ahead.
-inline bool face_through_air(const Patch& a, const Patch& b)
+/// their normals are opposite, and each lies in front of the other.
+inline bool face_through_air(const Patch& a, const Patch& b, const Surface_options& options)
 {
-  constexpr double towards = 0.8; // sum of two cosines
   const Vector3 d = (b.mean - a.mean).normalized();
   const double from_a = a.normal.dot(d), from_b = -b.normal.dot(d);
-  return a.normal.dot(b.normal) < opposite_normals && from_a > 0 && from_b > 0 &&
-         from_a + from_b > towards;
+  return a.normal.dot(b.normal) < options.opposite_normals && from_a > 0 && from_b > 0 &&
+         from_a + from_b > options.towards;
 }
 
 /// The cosine between a patch's normal and the way to the patch below which a place does not see it

@@ -10,11 +10,13 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/facing.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
@@ -52,12 +54,12 @@ inline void turn_outwards(Patches& patches, const std::vector<std::size_t>& piec
 }
 
 /// What two neighbouring patches know of each other's signs.
-struct Sign_link
+struct Sign_link // small: there are many
 {
-  std::size_t a, b;
-  std::size_t index;
-  double trust;     ///< In [0, 1].
-  bool is_opposite; ///< One of the two has to be turned around.
+  std::uint32_t a = 0, b = 0;
+  std::uint32_t index = 0;
+  bool is_opposite = false; ///< One of the two has to be turned around.
+  double trust = 0;         ///< In [0, 1].
 
   /// The one that is trusted more comes first.
   bool operator<(const Sign_link& other) const
@@ -75,7 +77,7 @@ inline std::vector<Sign_link> sign_links(const Patches& patches, Concurrency con
     const Patch &a = patches[pairs[k].a], &b = patches[pairs[k].b];
     const double cosine = continuation(a, b);
     const double trust = std::max(0.0, std::abs(cosine) * std::min(a.planarity, b.planarity));
-    links[k] = {pairs[k].a, pairs[k].b, k, trust, cosine < 0};
+    links[k] = {pairs[k].a, pairs[k].b, static_cast<std::uint32_t>(k), cosine < 0, trust};
   });
   return links;
 }
@@ -148,21 +150,18 @@ inline std::vector<double> orientation_confidence(const Patches& patches, Concur
   return confidence;
 }
 
-/// Below this confidence a normal is a guess, and nothing is built on it.
-constexpr double trusted_orientation = 0.3;
-
 /// The orientation gate: patches that face each other through the air are no neighbours, as far as
 /// their orientation can be trusted.
 inline void part_facing_patches(Patches& patches, const std::vector<double>& confidence,
-                                Concurrency concurrency)
+                                const Surface_options& options, Concurrency concurrency)
 {
   parallel_for(concurrency, patches.size(), [&](std::size_t i) {
     std::vector<std::size_t>& neighbors = patches[i].neighbors;
     neighbors.erase(std::remove_if(neighbors.begin(), neighbors.end(),
                                    [&](std::size_t j) {
-                                     return confidence[i] > trusted_orientation &&
-                                            confidence[j] > trusted_orientation &&
-                                            face_through_air(patches[i], patches[j]);
+                                     return confidence[i] > options.trusted_orientation &&
+                                            confidence[j] > options.trusted_orientation &&
+                                            face_through_air(patches[i], patches[j], options);
                                    }),
                     neighbors.end());
   });

@@ -8,8 +8,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Packet_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Winding_number.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/inside.h>
 
 #include <algorithm>
 #include <array>
@@ -20,23 +20,25 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Whether the normals around a patch enclose less than 60 degrees with its own, in the mean.
-inline bool is_like_its_neighbors(const Patch& patch, const Patches& patches)
+/// Whether the normals around a patch are along its own, in the mean.
+inline bool is_like_its_neighbors(const Patch& patch, const Patches& patches,
+                                  const Surface_options& options)
 {
   Vector3 sum = Vector3::Zero();
   for(std::size_t j : patch.neighbors)
     sum += patches[j].normal;
-  return patch.normal.dot(sum) > 0.5 * static_cast<double>(patch.neighbors.size());
+  return patch.normal.dot(sum) >
+         options.along_normal * static_cast<double>(patch.neighbors.size());
 }
 
 /// The winding numbers at the patches: a half where the surroundings are oriented well, minus a half
 /// where they are inside out, and 0 on an open sheet, which has no inside. What is inside out is a limb,
-/// larger than a few patches next to each other: where one of these is oriented well, so are the others.
+/// larger than a few patches next to each other: where one of these has more than `well`, so have
+/// the others.
 inline std::vector<double> winding_numbers_on_surface(const Winding_number& winding_number,
-                                                      const Box_tree& tree,
+                                                      const Box_tree& tree, double well,
                                                       Concurrency concurrency)
 {
-  constexpr double well = 0.25;
   const std::vector<Vector3>& positions = tree.positions();
   std::vector<Vector3> first_of_packets;
   for(std::size_t place = 0; place < positions.size(); place += packet_size)
@@ -62,7 +64,7 @@ inline std::vector<double> winding_numbers_on_surface(const Winding_number& wind
 /// out, then patches unlike their neighbours that have more inside in front of them than behind.
 /// Returns the winding number of what comes out.
 inline Winding_number settle_orientation(Patches& patches, const Box_tree& tree,
-                                         Concurrency concurrency)
+                                         const Surface_options& options, Concurrency concurrency)
 {
   Winding_number winding_number(patches, tree, concurrency);
   const auto turn_where = [&](const auto& is_wrong) {
@@ -75,11 +77,11 @@ inline Winding_number settle_orientation(Patches& patches, const Box_tree& tree,
       winding_number = Winding_number(patches, tree, concurrency);
   };
   const std::vector<double> on_surface =
-    winding_numbers_on_surface(winding_number, tree, concurrency);
-  turn_where([&](std::size_t i) { return on_surface[i] < inside_out; });
+    winding_numbers_on_surface(winding_number, tree, options.least_inside, concurrency);
+  turn_where([&](std::size_t i) { return on_surface[i] < -options.least_inside; });
   turn_where([&](std::size_t i) {
     const Patch& patch = patches[i];
-    if(is_like_its_neighbors(patch, patches))
+    if(is_like_its_neighbors(patch, patches, options))
       return false;
     const Vector3 step = patch.spacing * patch.normal;
     const auto [in_front, behind] =
