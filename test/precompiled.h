@@ -1,7 +1,29 @@
-// What nearly every test includes and what is slow to compile. A test still includes what it uses.
-// Without Catch2, which test_main.cpp includes with another configuration than the tests.
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What most tests include; compiled once.
+
+#include "catch2.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
 #include <Eigen/Dense>
 #include <boost/graph/adjacency_list.hpp>
+#include <boost/range/iterator_range.hpp>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/combinable.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#endif
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>

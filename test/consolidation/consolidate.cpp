@@ -1,0 +1,209 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Noise is taken off a mixture, and nothing else.
+
+#include "catch2.h"
+#include "generator/Random.h"
+#include "threads.h"
+
+#include <CGAL/Point_set_skeletonization_3/internal/consolidation/consolidate.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+using namespace CGAL::Point_set_skeletonization_3::internal;
+using shapes::Random;
+
+namespace {
+
+constexpr unsigned seeds = 3;
+
+Gaussians components(std::size_t size, const std::function<Vector3()>& draw)
+{
+  Gaussians result;
+  for(std::size_t i = 0; i < size; ++i)
+    result.push_back({1, draw(), Matrix3::Zero()});
+  return result;
+}
+
+Consolidated_mixture consolidated(const Gaussians& mixture,
+                                  Concurrency concurrency = Concurrency::sequential)
+{
+  constexpr double no_cells = 0;
+  return consolidate(mixture, no_cells, Consolidation_options(), concurrency);
+}
+
+bool is_outlier(const Consolidated_mixture& mixture, std::size_t i)
+{
+  return mixture.patch_of_component[i] == Consolidated_mixture::none;
+}
+
+/// Values of what is no outlier.
+std::vector<double> kept(const Consolidated_mixture& mixture,
+                         const std::function<double(const Vector3&)>& value)
+{
+  std::vector<double> result;
+  for(const Gaussian& patch : mixture.patches)
+    result.push_back(value(patch.mean));
+  return result;
+}
+
+double root_mean_square(const std::vector<double>& values)
+{
+  double sum = 0;
+  for(double v : values)
+    sum += v * v;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+double widest_gap(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  double result = 0;
+  for(std::size_t i = 1; i < values.size(); ++i)
+    result = std::max(result, values[i] - values[i - 1]);
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("Where there is no noise nothing moves")
+{
+  for(unsigned seed = 0; seed < seeds; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const Gaussians sphere = components(2000, [&] { return random.direction(); });
+    const Consolidated_mixture surface = consolidated(sphere);
+    CHECK(surface.noise == 0);
+    REQUIRE(surface.patch_of_component.size() == sphere.size());
+    for(std::size_t i = 0; i < sphere.size(); ++i)
+      if(!is_outlier(surface, i))
+        REQUIRE(surface.patches[surface.patch_of_component[i]].mean == sphere[i].mean);
+  }
+}
+
+TEST_CASE("A noisy plane becomes flat and keeps its width")
+{
+  constexpr double sigma = 0.03; // a spacing and a half
+  for(unsigned seed = 0; seed < seeds; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const Gaussians plane = components(2000, [&] {
+      const double x = random.uniform(), y = random.uniform(), z = sigma * random.normal();
+      return Vector3(x, y, z);
+    });
+    const Consolidated_mixture surface = consolidated(plane);
+    CHECK(surface.noise > 0.5);
+    CHECK(root_mean_square(kept(surface, [](const Vector3& p) { return p.z(); })) < sigma / 3);
+    const std::vector<double> x = kept(surface, [](const Vector3& p) { return p.x(); });
+    CHECK(*std::max_element(x.begin(), x.end()) - *std::min_element(x.begin(), x.end()) > 0.9);
+  }
+}
+
+TEST_CASE("A twig drowned in noise becomes thin and does not gather in lumps")
+{
+  constexpr double sigma = 0.01;
+  for(unsigned seed = 0; seed < seeds; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const Gaussians twig = components(500, [&] {
+      const double x = random.uniform(), y = sigma * random.normal(), z = sigma * random.normal();
+      return Vector3(x, y, z);
+    });
+    const auto along = [](const Vector3& p) { return p.x(); };
+    const auto across = [](const Vector3& p) { return std::hypot(p.y(), p.z()); };
+    const Consolidated_mixture surface = consolidated(twig);
+    CHECK(root_mean_square(kept(surface, across)) < sigma);
+    CHECK(widest_gap(kept(surface, along)) < 3 * sigma);
+  }
+}
+
+TEST_CASE("Points far from all others are outliers")
+{
+  for(unsigned seed = 0; seed < seeds; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    Gaussians sphere = components(2000, [&] { return random.direction(); });
+    sphere.push_back({1, Vector3(2, 0, 0), Matrix3::Zero()});
+    const Consolidated_mixture surface = consolidated(sphere);
+    CHECK(is_outlier(surface, sphere.size() - 1));
+    CHECK(surface.patches.size() > sphere.size() - 20);
+  }
+}
+
+TEST_CASE("Of what is kept, the patches, the tree over them and their neighbours belong together")
+{
+  for(const double sigma : {0.0, 0.03}) { // kept as they were, and moved
+    CAPTURE(sigma);
+    Random random(1);
+    Gaussians sphere =
+      components(2000, [&] { return Vector3((1 + sigma * random.normal()) * random.direction()); });
+    sphere.insert(sphere.begin(), {1, Vector3(3, 0, 0), Matrix3::Zero()});
+    const Consolidated_mixture surface = consolidated(sphere);
+    CHECK(is_outlier(surface, 0));
+    CHECK((surface.noise > 0) == (sigma > 0));
+    double weight = 0, left = 0;
+    for(const Gaussian& patch : surface.patches)
+      weight += patch.weight;
+    for(std::size_t i = 0; i < sphere.size(); ++i)
+      left += is_outlier(surface, i) ? 0 : sphere[i].weight;
+    CHECK(weight == Approx(left));
+    CHECK(surface.tree.by_index(surface.tree.positions()) == means_of(surface.patches));
+    REQUIRE(surface.neighbors.size() == surface.patches.size());
+    const K_nearest_neighbors expected =
+      k_nearest_neighbors(surface.tree, surface.neighbors.k(), Concurrency::sequential);
+    for(std::size_t i = 0; i < expected.size(); ++i)
+      for(std::size_t k = 0; k < expected.k(); ++k)
+        REQUIRE(surface.neighbors[i].begin()[k].index == expected[i].begin()[k].index);
+  }
+}
+
+TEST_CASE("Components that come to lie in one cell become one patch, with their weight")
+{
+  constexpr double sigma = 0.03;
+  Random random(2);
+  const Gaussians plane = components(2000, [&] {
+    const double x = random.uniform(), y = random.uniform(), z = sigma * random.normal();
+    return Vector3(x, y, z);
+  });
+  const Consolidated_mixture apart = consolidated(plane);
+  const Consolidated_mixture merged =
+    consolidate(plane, 0.05, Consolidation_options(), Concurrency::sequential);
+  CHECK(merged.patches.size() < apart.patches.size() / 2);
+  const auto weight = [](const Consolidated_mixture& mixture) {
+    double sum = 0;
+    for(const Gaussian& patch : mixture.patches)
+      sum += patch.weight;
+    return sum;
+  };
+  CHECK(weight(merged) == Approx(weight(apart)));
+}
+
+TEST_CASE("Any number of threads takes the same noise off")
+{
+  Random random(3);
+  for(const double sigma : {0.0, 0.05}) {
+    CAPTURE(sigma);
+    const Gaussians sphere =
+      components(3000, [&] { return Vector3((1 + sigma * random.normal()) * random.direction()); });
+    const Consolidated_mixture expected = consolidated(sphere);
+    for_threads([&](Concurrency concurrency) {
+      const Consolidated_mixture surface = consolidated(sphere, concurrency);
+      CHECK(surface.noise == expected.noise);
+      CHECK(surface.patch_of_component == expected.patch_of_component);
+      CHECK(means_of(surface.patches) == means_of(expected.patches));
+    });
+  }
+}
+
+TEST_CASE("The exponential by its Taylor polynomial has nine digits")
+{
+  Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(1000, -1.0 / 7, 0);
+  const Eigen::ArrayXd found = exponential_of_32_times(x);
+  for(Eigen::Index i = 0; i < x.size(); ++i)
+    REQUIRE(found[i] == Approx(std::exp(32 * x[i])).epsilon(1e-8));
+}

@@ -1,0 +1,397 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A skeleton is drawn to the centres of the cross-sections of its limbs: from off-centre and wavering
+// curves, in noise, where a limb is flat or bent, and where it is sampled unevenly or on one side.
+
+#include "catch2.h"
+#include "generator/Random.h"
+#include "threads.h"
+
+#include <CGAL/Point_set_skeletonization_3/internal/curve/cross_section.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/centre_curve.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+using namespace CGAL::Point_set_skeletonization_3::internal;
+
+namespace {
+
+constexpr unsigned int seeds[] = {1, 2, 3};
+constexpr double spacing = 0.3; // of the points of a limb with radius 1, and of the vertices
+
+// A place of a limb whose axis is at arc length s, with the directions across it.
+struct Frame
+{
+  Vector3 origin, e1, e2;
+};
+
+using Axis = std::function<Frame(double)>;
+
+Frame straight(double s)
+{
+  return {Vector3(0, 0, s), Vector3::UnitX(), Vector3::UnitY()};
+}
+
+// Around the z axis.
+Axis bent(double radius)
+{
+  return [radius](double s) {
+    const Vector3 out(std::cos(s / radius), std::sin(s / radius), 0);
+    return Frame{radius * out, out, Vector3::UnitZ()};
+  };
+}
+
+std::vector<bool> anywhere(const std::vector<Vector3>& places)
+{
+  return std::vector<bool>(places.size(), true);
+}
+
+struct Limb
+{
+  Skeleton_graph graph;
+  std::vector<std::vector<Vector3>> surface;
+
+  void centre() { centre_curve(graph, surface, spacing, anywhere, Concurrency::sequential); }
+};
+
+Limb curve(const Axis& axis, double length, bool closed, const std::function<Vector3(double)>& off)
+{
+  Limb limb;
+  const auto size = static_cast<std::size_t>(length / spacing);
+  for(std::size_t v = 0; v < size; ++v) {
+    const double s = length * static_cast<double>(v) / static_cast<double>(closed ? size : size - 1);
+    limb.graph.vertices.push_back({axis(s).origin + off(s), 1, false});
+    if(v > 0)
+      limb.graph.edges.emplace_back(v - 1, v);
+  }
+  if(closed)
+    limb.graph.edges.emplace_back(size - 1, 0);
+  limb.surface.resize(size);
+  return limb;
+}
+
+// Points go to the nearest vertex.
+void add(Limb& limb, const Vector3& p)
+{
+  const auto& vertices = limb.graph.vertices;
+  const auto nearest =
+    std::min_element(vertices.begin(), vertices.end(), [&p](const auto& a, const auto& b) {
+      return (a.position - p).squaredNorm() < (b.position - p).squaredNorm();
+    });
+  limb.surface[static_cast<std::size_t>(nearest - vertices.begin())].push_back(p);
+}
+
+struct Sampling
+{
+  double noise = 0;              // standard deviation
+  double from = 0, turn = 2 * CGAL_PI; // the angles that are seen
+  double sparse = 1;             // share of the points that is kept where x < 0
+};
+
+// A round limb of radius 1.
+void sample_tube(Limb& limb, const Axis& axis, double length, const Sampling& sampling,
+                 shapes::Random& random)
+{
+  const auto number = static_cast<int>(sampling.turn * length / (spacing * spacing));
+  for(int i = 0; i < number; ++i) {
+    const double s = random.uniform(0, length);
+    const double angle = random.uniform(sampling.from, sampling.from + sampling.turn);
+    const double noise = sampling.noise * random.normal();
+    if(std::cos(angle) < 0 && random.uniform() > sampling.sparse)
+      continue;
+    const Frame f = axis(s);
+    add(limb, f.origin + (1 + noise) * (std::cos(angle) * f.e1 + std::sin(angle) * f.e2));
+  }
+}
+
+Vector3 nowhere(double)
+{
+  return Vector3::Zero();
+}
+
+// The ends are left out, as there is nothing to one side of them.
+double mean_distance(const Limb& limb, const std::function<double(const Vector3&)>& distance)
+{
+  constexpr std::size_t ends = 4;
+  double sum = 0, number = 0;
+  for(std::size_t v = ends; v + ends < limb.graph.vertices.size(); ++v) {
+    sum += distance(limb.graph.vertices[v].position);
+    ++number;
+  }
+  return sum / number;
+}
+
+double from_z_axis(const Vector3& p)
+{
+  return p.head<2>().norm();
+}
+
+// Length over that of the chord.
+double crookedness(const Limb& limb)
+{
+  double length = 0;
+  for(const auto& e : limb.graph.edges)
+    length +=
+      (limb.graph.vertices[e.first].position - limb.graph.vertices[e.second].position).norm();
+  return length /
+         (limb.graph.vertices.front().position - limb.graph.vertices.back().position).norm();
+}
+
+std::vector<Eigen::Vector2d> arc(double x, double from, double turn)
+{
+  std::vector<Eigen::Vector2d> result;
+  constexpr int number = 40;
+  for(int i = 0; i < number; ++i) {
+    const double angle = from + turn * i / number;
+    result.emplace_back(x + std::cos(angle), std::sin(angle));
+  }
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("The centre of a cross-section is that of its area")
+{
+  const Cross_section circle = cross_section(arc(0.5, 0, 2 * CGAL_PI));
+  CHECK(circle.center.x() == Approx(0.5).margin(0.01));
+  CHECK(circle.center.y() == Approx(0).margin(0.01));
+  CHECK(circle.area == Approx(CGAL_PI).epsilon(0.02));
+
+  // A rectangle, and the same with a hundred times the points on one of its sides.
+  std::vector<Eigen::Vector2d> rectangle;
+  for(int i = 0; i < 40; ++i) {
+    const double t = 0.05 * i;
+    rectangle.emplace_back(t - 0.5, -0.5);
+    rectangle.emplace_back(t - 0.5, 0.25);
+    rectangle.emplace_back(-0.5, 0.75 / 2 * t - 0.5);
+    rectangle.emplace_back(1.5, 0.75 / 2 * t - 0.5);
+  }
+  for(int i = 0; i < 4000; ++i)
+    rectangle.emplace_back(-0.5, 0.75 / 4000 * i - 0.5);
+  const Cross_section section = cross_section(rectangle);
+  CHECK(section.area == Approx(1.5).epsilon(0.02));
+  CHECK(section.center.x() == Approx(0.5).margin(0.02));
+  CHECK(section.center.y() == Approx(-0.125).margin(0.02));
+}
+
+TEST_CASE("Of half a circle the centre stays that of the circle")
+{
+  const Cross_section half = cross_section(arc(0, 1, CGAL_PI));
+  CHECK(half.center.norm() < 0.01);
+  CHECK(half.unknown == Approx(2 * CGAL_PI / 3).epsilon(0.075));
+  // Seen from elsewhere it lies in the direction of the centre.
+  for(const double x : {-0.3, 0.3})
+    CHECK(cross_section(arc(x, 1, CGAL_PI)).center.x() / x > 0.2);
+}
+
+TEST_CASE("Too few points are no cross-section")
+{
+  CHECK(cross_section({}).area == 0);
+  CHECK(cross_section({{1, 0}, {0, 1}}).area == 0);
+  CHECK(cross_section({{0, 0}, {0, 0}, {0, 0}}).center.isZero());
+}
+
+TEST_CASE("In a noisy tube the curve becomes straight and goes to the axis")
+{
+  constexpr double length = 20;
+  for(const unsigned int seed : seeds) {
+    CAPTURE(seed);
+    shapes::Random random(seed);
+    Limb limb = curve(straight, length, false, [&random](double s) {
+      const double x = 0.1 * random.normal(), y = 0.1 * random.normal();
+      return Vector3(0.3 + x, 0.2 * std::sin(s) + y, 0);
+    });
+    Sampling sampling;
+    sampling.noise = 0.2;
+    sample_tube(limb, straight, length, sampling, random);
+    const Skeleton_graph before = limb.graph;
+    limb.centre();
+    CHECK(limb.graph.edges == before.edges);
+    CHECK(limb.graph.vertices.size() == before.vertices.size());
+    CHECK(mean_distance(limb, from_z_axis) < 0.05);
+    CHECK(crookedness(limb) < 1.01);
+  }
+}
+
+TEST_CASE("A ring keeps its radius")
+{
+  constexpr double ring = 3, length = 2 * CGAL_PI * ring;
+  for(const double displacement : {0.0, 0.4, -0.4})
+    for(const unsigned int seed : seeds) {
+      CAPTURE(displacement, seed);
+      shapes::Random random(seed);
+      Limb limb = curve(bent(ring), length, true, [&](double s) {
+        return Vector3(displacement * bent(ring)(s).e1);
+      });
+      sample_tube(limb, bent(ring), length, {}, random);
+      limb.centre();
+      CHECK(mean_distance(limb, [](const Vector3& p) { return p.head<2>().norm() - ring; }) ==
+            Approx(0).margin(0.03));
+    }
+}
+
+TEST_CASE("What lies beside the plane of a cut through a bend counts as if it were in it")
+{
+  constexpr double ring = 2, length = 2 * CGAL_PI * ring, thick_cut = 0.6;
+  for(const unsigned int seed : seeds) {
+    CAPTURE(seed);
+    shapes::Random random(seed);
+    Limb limb = curve(bent(ring), length, true, nowhere);
+    for(int copies = 0; copies < 4; ++copies)
+      sample_tube(limb, bent(ring), length, {}, random);
+    centre_curve(limb.graph, limb.surface, thick_cut, anywhere, Concurrency::sequential);
+    CHECK(mean_distance(limb, [](const Vector3& p) { return p.head<2>().norm() - ring; }) ==
+          Approx(0).margin(0.02));
+  }
+}
+
+TEST_CASE("A bend is not cut")
+{
+  constexpr double radius = 2, length = CGAL_PI * radius;
+  for(const unsigned int seed : seeds) {
+    CAPTURE(seed);
+    shapes::Random random(seed);
+    Limb limb = curve(bent(radius), length, false, nowhere);
+    sample_tube(limb, bent(radius), length, {}, random);
+    limb.centre();
+    CHECK(mean_distance(limb, [](const Vector3& p) {
+      return std::hypot(p.head<2>().norm() - radius, p.z());
+    }) < 0.06);
+  }
+}
+
+TEST_CASE("A flat limb is centred in its width")
+{
+  constexpr double length = 20, width = 4; // and a thickness of 1
+  for(const unsigned int seed : seeds) {
+    CAPTURE(seed);
+    shapes::Random random(seed);
+    Limb limb = curve(straight, length, false, [](double) { return Vector3(0.8, 0.1, 0); });
+    for(auto& vertex : limb.graph.vertices)
+      vertex.radius = 0.5;
+    for(int i = 0; i < static_cast<int>(10 * length / (spacing * spacing)); ++i) {
+      const double s = random.uniform(0, length), t = random.uniform(0, 2 * (width + 1));
+      const double x = t < 2 * width ? std::fmod(t, width) - width / 2
+                                     : (t < 2 * width + 1 ? width / 2 : -width / 2);
+      const double y = t < width ? 0.5 : t < 2 * width ? -0.5 : std::fmod(t, 1) - 0.5;
+      add(limb, Vector3(x, y, s));
+    }
+    limb.centre();
+    CHECK(mean_distance(limb, from_z_axis) < 0.1);
+  }
+}
+
+TEST_CASE("A tube of which one side is sparse is centred")
+{
+  constexpr double length = 20;
+  for(const unsigned int seed : seeds) {
+    CAPTURE(seed);
+    shapes::Random random(seed);
+    Limb limb = curve(straight, length, false, [](double) { return Vector3(0.3, 0, 0); });
+    Sampling sampling;
+    sampling.sparse = 0.125;
+    sample_tube(limb, straight, length, sampling, random);
+    limb.centre();
+    CHECK(mean_distance(limb, from_z_axis) < 0.05);
+  }
+}
+
+TEST_CASE("A tube of which one side is missing draws nothing to the other")
+{
+  constexpr double length = 20;
+  for(const double displacement : {0.0, 0.3, -0.3})
+    for(const unsigned int seed : seeds) {
+      CAPTURE(displacement, seed);
+      shapes::Random random(seed);
+      Limb limb = curve(straight, length, false,
+                        [=](double) { return Vector3(0, displacement, 0); });
+      Sampling sampling;
+      sampling.turn = CGAL_PI;
+      sample_tube(limb, straight, length, sampling, random);
+      limb.centre();
+      CHECK(mean_distance(limb, from_z_axis) < std::max(0.1, 0.7 * std::abs(displacement)));
+    }
+}
+
+TEST_CASE("Nothing is drawn out of the shape")
+{
+  constexpr double length = 20, wall = 0.7; // what is inside
+  shapes::Random random(1);
+  Limb limb = curve(straight, length, false, [](double) { return Vector3(0.8, 0, 0); });
+  sample_tube(limb, straight, length, {}, random);
+  const auto outside = [&limb] {
+    const auto& vertices = limb.graph.vertices;
+    return std::count_if(vertices.begin(), vertices.end(),
+                         [](const auto& vertex) { return vertex.position.x() < wall; });
+  };
+  const auto behind_wall = [](const std::vector<Vector3>& places) {
+    std::vector<bool> inside;
+    for(const Vector3& p : places)
+      inside.push_back(p.x() > wall);
+    return inside;
+  };
+  centre_curve(limb.graph, limb.surface, spacing, behind_wall, Concurrency::sequential);
+  CHECK(outside() == 0);
+  limb.centre();
+  CHECK(outside() > 0);
+}
+
+TEST_CASE("Where nothing is known a curve stays")
+{
+  Limb limb = curve(straight, 10, false, nowhere);
+  limb.centre();
+  for(const auto& vertex : limb.graph.vertices)
+    CHECK(from_z_axis(vertex.position) < 1e-6);
+  CHECK(limb.graph.vertices.back().position.z() == Approx(10));
+
+  Limb point;
+  point.graph.vertices.push_back({Vector3(1, 2, 3), 0, false});
+  point.surface = {{Vector3(1, 2, 4), Vector3(1, 3, 3), Vector3(0, 2, 3)}};
+  point.centre();
+  CHECK(point.graph.vertices.front().position.isApprox(Vector3(1, 2, 3)));
+  Limb none;
+  none.centre();
+  CHECK(none.graph.vertices.empty());
+}
+
+TEST_CASE("Centring commutes with scaling")
+{
+  constexpr double length = 20, scale = 1e-3;
+  shapes::Random random(1);
+  Limb limb = curve(straight, length, false, [](double s) { return Vector3(0.2, std::sin(s), 0); });
+  sample_tube(limb, straight, length, {}, random);
+  Limb small = limb;
+  for(auto& vertex : small.graph.vertices)
+    vertex = {scale * vertex.position, scale * vertex.radius, false};
+  for(auto& points : small.surface)
+    for(Vector3& p : points)
+      p *= scale;
+  limb.centre();
+  centre_curve(small.graph, small.surface, scale * spacing, anywhere, Concurrency::sequential);
+  for(std::size_t v = 0; v < limb.graph.vertices.size(); ++v)
+    CHECK((small.graph.vertices[v].position - scale * limb.graph.vertices[v].position).norm() <
+          1e-9 * scale);
+}
+
+TEST_CASE("Any number of threads centres in the same way")
+{
+  constexpr double length = 20;
+  shapes::Random random(1);
+  Limb limb = curve(straight, length, false, [](double s) { return Vector3(0.2, std::sin(s), 0); });
+  sample_tube(limb, straight, length, {}, random);
+  Limb expected = limb;
+  expected.centre();
+  for_threads([&](Concurrency concurrency) {
+    Limb other = limb;
+    centre_curve(other.graph, other.surface, spacing, anywhere, concurrency);
+    for(std::size_t v = 0; v < other.graph.vertices.size(); ++v)
+      REQUIRE(other.graph.vertices[v].position == expected.graph.vertices[v].position);
+  });
+}

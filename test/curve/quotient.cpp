@@ -1,0 +1,283 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The graph of the pieces that separators cut a surface into, on rings of patches; and what is pruned
+// from it.
+
+#include "analytic_surfaces.h"
+
+#include "catch2.h"
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/stray_components.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Ball_overlaps.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+using namespace CGAL::Point_set_skeletonization_3::internal;
+using surfaces::Tube;
+using surfaces::tube_radius;
+
+namespace {
+
+Surface_quotient quotient_of(const Tube& tube, const std::vector<int>& rings)
+{
+  const Patches patches = tube.patches();
+  const Samples samples = surfaces::samples_of(patches);
+  const Ball_overlaps overlaps(patches, samples, 0, Concurrency::sequential);
+  std::vector<Local_separator> separators;
+  for(int ring : rings)
+    separators.push_back(tube.separator(ring));
+  return surface_quotient(patches, samples, overlaps, separators, Concurrency::sequential);
+}
+
+std::size_t number_of_components(const Skeleton_graph& graph)
+{
+  Union_find sets(graph.vertices.size());
+  std::size_t result = graph.vertices.size();
+  for(const Skeleton_graph::Edge& e : graph.edges)
+    result -= sets.join(e.first, e.second) ? 1 : 0;
+  return result;
+}
+
+// All vertices have two neighbours, those of one cycle without double edges.
+bool is_cycle(const Skeleton_graph& graph)
+{
+  const auto adjacency = graph.adjacency();
+  return number_of_components(graph) == 1 &&
+         std::all_of(adjacency.begin(), adjacency.end(), [](const auto& neighbors) {
+           return neighbors.size() == 2 && neighbors[0] != neighbors[1];
+         });
+}
+
+bool is_path(const Skeleton_graph& graph)
+{
+  const auto adjacency = graph.adjacency();
+  return number_of_components(graph) == 1 && graph.edges.size() + 1 == graph.vertices.size() &&
+         std::all_of(adjacency.begin(), adjacency.end(),
+                     [](const auto& neighbors) { return neighbors.size() <= 2; });
+}
+
+// A quotient made by hand: a tree of vertices, each with a ring of patches around it. Those with an odd
+// number are cross-sections.
+class Made_up_quotient
+{
+public:
+  Surface_quotient quotient;
+  Patches patches;
+
+  std::size_t add_vertex(const Vector3& position, double radius, int size = 12)
+  {
+    const std::size_t v = quotient.graph.vertices.size();
+    quotient.graph.vertices.push_back({position, radius, v % 2 == 1});
+    for(int k = 0; k < size; ++k) {
+      Patch patch;
+      patch.mean = position + radius * surfaces::around(2 * CGAL_PI * k / size);
+      patch.weight = 1;
+      quotient.vertex_of_patch.push_back(v);
+      patches.push_back(patch);
+    }
+    return v;
+  }
+
+  // A branch from a vertex, of `size` vertices one `step` apart.
+  std::size_t add_branch(std::size_t from, const Vector3& step, int size, double radius, int ring = 12)
+  {
+    for(int k = 0; k < size; ++k) {
+      const std::size_t next =
+        add_vertex(quotient.graph.vertices[from].position + step, radius, ring);
+      quotient.graph.edges.emplace_back(from, next);
+      from = next;
+    }
+    return from;
+  }
+
+  Pruned_quotient pruned() const { return prune(quotient, patches); }
+};
+
+std::size_t number_of_ends(const Skeleton_graph& graph)
+{
+  const auto adjacency = graph.adjacency();
+  return static_cast<std::size_t>(std::count_if(
+    adjacency.begin(), adjacency.end(), [](const auto& neighbors) { return neighbors.size() == 1; }));
+}
+
+// Two long limbs in a line, with a radius of 1.
+Made_up_quotient two_limbs()
+{
+  Made_up_quotient result;
+  const std::size_t middle = result.add_vertex(Vector3::Zero(), 1);
+  result.add_branch(middle, Vector3(0, 0, 1), 9, 1);
+  result.add_branch(middle, Vector3(0, 0, -1), 9, 1);
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("A torus with separators is a cycle, however many they are")
+{
+  for(const std::vector<int>& rings :
+      {std::vector<int>{10}, {10, 40}, {10, 30, 50}, {5, 15, 25, 35, 45, 55}}) {
+    CAPTURE(rings.size());
+    const Surface_quotient quotient = quotient_of(surfaces::torus, rings);
+    CHECK(is_cycle(quotient.graph));
+    // One vertex for every separator and every piece; a third one where there is one of both.
+    CHECK(quotient.graph.vertices.size() == std::max<std::size_t>(3, 2 * rings.size()));
+  }
+}
+
+TEST_CASE("A tube with separators is a path")
+{
+  for(const std::vector<int>& rings : {std::vector<int>{15}, {7, 20}, {4, 12, 18, 25}}) {
+    CAPTURE(rings.size());
+    const Surface_quotient quotient = quotient_of(surfaces::tube, rings);
+    CHECK(is_path(quotient.graph));
+    CHECK(quotient.graph.vertices.size() == 2 * rings.size() + 1);
+  }
+}
+
+TEST_CASE("Without separators all is one vertex in the middle")
+{
+  const Surface_quotient quotient = quotient_of(surfaces::tube, {});
+  REQUIRE(quotient.graph.vertices.size() == 1);
+  CHECK(quotient.graph.edges.empty());
+  CHECK(quotient.graph.vertices[0].radius == Approx(tube_radius));
+}
+
+TEST_CASE("Separators that touch still have a piece between them")
+{
+  const Surface_quotient quotient = quotient_of(surfaces::tube, {14, 15});
+  CHECK(is_path(quotient.graph));
+  CHECK(quotient.graph.vertices.size() == 5);
+}
+
+TEST_CASE("A vertex lies in the middle of its patches, and separators are cross-sections")
+{
+  const std::vector<int> rings = {7, 20};
+  const Surface_quotient quotient = quotient_of(surfaces::tube, rings);
+  const Patches patches = surfaces::tube.patches();
+  REQUIRE(quotient.vertex_of_patch.size() == patches.size());
+  for(std::size_t v = 0; v < quotient.graph.vertices.size(); ++v) {
+    const auto& vertex = quotient.graph.vertices[v];
+    CHECK(vertex.is_cross_section == (v < rings.size()));
+    CHECK(vertex.position.tail<2>().norm() < 1e-6);
+    CHECK(vertex.radius == Approx(tube_radius));
+  }
+  for(std::size_t s = 0; s < rings.size(); ++s) {
+    const double x = patches[surfaces::tube.index(rings[s], 0)].mean.x();
+    CHECK(quotient.graph.vertices[s].position.x() == Approx(x));
+    for(int j = 0; j < surfaces::across; ++j)
+      CHECK(quotient.vertex_of_patch[surfaces::tube.index(rings[s], j)] == s);
+  }
+}
+
+TEST_CASE("Where balls do not overlap, limbs that touch are joined once: there is no loop")
+{
+  // A torus of which some patches know no ball: it is closed by doubtful links only.
+  const Tube tube = surfaces::torus;
+  const Patches patches = tube.patches();
+  Samples samples = surfaces::samples_of(patches);
+  for(std::size_t i = 0; i < patches.size(); ++i)
+    if(const int ring = static_cast<int>(i) / surfaces::across; ring < 3 || ring >= tube.along - 3)
+      samples[i] = {patches[i].mean + Vector3(0, 0, 100 + ring), 1}; // a ball far from those beside it
+  const Ball_overlaps overlaps(patches, samples, 0, Concurrency::sequential);
+  const std::vector<Local_separator> separators = {tube.separator(20), tube.separator(40)};
+  const Surface_quotient quotient =
+    surface_quotient(patches, samples, overlaps, separators, Concurrency::sequential);
+  CHECK(number_of_components(quotient.graph) == 1);
+  CHECK(quotient.graph.edges.size() + 1 == quotient.graph.vertices.size());
+}
+
+TEST_CASE("The middle of samples is not drawn away by one that went astray")
+{
+  Samples samples;
+  for(int k = 0; k < 20; ++k)
+    samples.push_back({surfaces::around(2 * CGAL_PI * k / 20), 1});
+  samples.push_back({Vector3(100, 0, 0), 1});
+  std::vector<std::size_t> members(samples.size());
+  for(std::size_t i = 0; i < members.size(); ++i)
+    members[i] = i;
+  CHECK(middle(members, samples).position.norm() < 0.2); // the mean is off by 5
+}
+
+TEST_CASE("Components with next to no points are stray")
+{
+  Skeleton_graph graph;
+  graph.vertices.resize(6);
+  graph.edges = {{0, 1}, {1, 2}, {3, 4}};
+  CHECK(stray_vertices(graph, {500, 400, 100, 2, 3, 11}) ==
+        std::vector<bool>{false, false, false, true, true, false});
+  CHECK(stray_vertices(graph, {0, 1, 0, 1, 0, 1}) == std::vector<bool>(6, false));
+  CHECK(stray_vertices(Skeleton_graph(), {}).empty());
+}
+
+TEST_CASE("A bump is pruned, a limb stays")
+{
+  Made_up_quotient bump = two_limbs(), limb = two_limbs();
+  const std::size_t plain = number_of_ends(two_limbs().pruned().graph);
+  CHECK(plain == 2);
+  bump.add_branch(0, Vector3(1, 0, 0), 2, 0.9);  // hardly longer than it is wide
+  limb.add_branch(0, Vector3(1, 0, 0), 9, 0.9);
+  CHECK(number_of_ends(bump.quotient.graph) == 3);
+  CHECK(number_of_ends(bump.pruned().graph) == 2);
+  CHECK(number_of_ends(limb.pruned().graph) == 3);
+  CHECK(is_path(bump.pruned().graph));
+}
+
+TEST_CASE("A long branch of a few patches is one of outliers")
+{
+  Made_up_quotient outliers = two_limbs();
+  outliers.add_branch(0, Vector3(1, 0, 0), 3, 0.1, 1);
+  CHECK(number_of_ends(outliers.quotient.graph) == 3);
+  CHECK(number_of_ends(outliers.pruned().graph) == 2);
+}
+
+TEST_CASE("A bridge of a few patches between two limbs is taken off, one of a limb stays")
+{
+  for(const int ring : {1, 12}) {
+    CAPTURE(ring);
+    Made_up_quotient loop = two_limbs();
+    const std::size_t end = loop.add_branch(4, Vector3(0.5, 0, -0.5), 3, 0.2, ring);
+    loop.quotient.graph.edges.emplace_back(end, 14);
+    const Skeleton_graph pruned = loop.pruned().graph;
+    CHECK(number_of_components(pruned) == 1);
+    const std::size_t cycles = pruned.edges.size() + 1 - pruned.vertices.size();
+    CHECK(cycles == (ring == 1 ? 0 : 1));
+  }
+}
+
+TEST_CASE("Stray components go, and tell that they were stray")
+{
+  Made_up_quotient quotient = two_limbs();
+  const std::size_t stray = quotient.add_vertex(Vector3(50, 0, 0), 1, 1);
+  const Pruned_quotient pruned = quotient.pruned();
+  CHECK(number_of_components(pruned.graph) == 1);
+  for(std::size_t v = 0; v < pruned.is_stray.size(); ++v)
+    CHECK(pruned.is_stray[v] == (v == stray));
+}
+
+TEST_CASE("Caps go, but for those of a single cross-section")
+{
+  Made_up_quotient limb = two_limbs(); // ends with cross-sections
+  CHECK(limb.pruned().graph.vertices.size() == limb.quotient.graph.vertices.size());
+  // Now with a cap on either end: 9 and 18 are the last of the limbs.
+  Made_up_quotient capped = two_limbs();
+  capped.quotient.graph.vertices[18].is_cross_section = true;
+  for(const std::size_t end : {9u, 18u}) {
+    const std::size_t cap = capped.add_vertex(
+      1.1 * capped.quotient.graph.vertices[end].position, 1);
+    capped.quotient.graph.vertices[cap].is_cross_section = false;
+    capped.quotient.graph.edges.emplace_back(end, cap);
+  }
+  CHECK(capped.pruned().graph.vertices.size() == capped.quotient.graph.vertices.size() - 2);
+
+  Made_up_quotient single;
+  single.add_branch(single.add_vertex(Vector3::Zero(), 1), Vector3(0, 0, 1), 2, 1);
+  CHECK(single.pruned().graph.vertices.size() == 3);
+}

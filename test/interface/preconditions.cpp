@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Programming mistakes are told from data: they violate preconditions, as everywhere in CGAL.
+
+#include "catch2.h"
+#include "shapes.h"
+
+#include <CGAL/Gaussian_mixture_builder_3.h>
+#include <CGAL/L1_medial_skeletonization_3.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Grid_mixture.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/nearest_neighbor_gaussians.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/published_projection.h>
+#include <CGAL/Published_l1_medial_skeletonization_3.h>
+#include <CGAL/link_medial_samples.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/assertions_behaviour.h>
+#include <CGAL/exceptions.h>
+
+#include <vector>
+
+#ifdef CGAL_NO_PRECONDITIONS
+#error "This test needs preconditions."
+#endif
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Points = std::vector<Kernel::Point_3>;
+using Skeletonization = CGAL::L1_medial_skeletonization_3<Kernel>;
+
+namespace {
+
+// The exception is enough: nothing is printed besides.
+void print_nothing(const char*, const char*, const char*, int, const char*) {}
+
+struct Silence
+{
+  CGAL::Failure_function before = CGAL::set_error_handler(print_nothing);
+  ~Silence() { CGAL::set_error_handler(before); }
+};
+
+Points cloud() { return shapes::to_points<Kernel>(shapes::sample(shapes::cylinder(), 500, 43)); }
+
+} // namespace
+
+TEST_CASE("Steps out of order violate a precondition")
+{
+  const Silence silence;
+  const Points points = cloud();
+  Skeletonization steps(points);
+  Skeletonization::Skeleton skeleton(1);
+  CHECK_THROWS_AS(steps.project(), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(steps.link(), CGAL::Precondition_exception);
+  REQUIRE(steps.fit_mixture());
+  CHECK_THROWS_AS(steps.link(), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(steps.extract_skeleton(skeleton), CGAL::Precondition_exception);
+  REQUIRE(steps.project());
+  CHECK_THROWS_AS(steps.extract_skeleton(skeleton), CGAL::Precondition_exception);
+  CHECK(num_vertices(skeleton) == 1);
+  REQUIRE(steps.link());
+  CHECK_NOTHROW(steps.extract_skeleton(skeleton));
+}
+
+TEST_CASE("Repeating a step makes those after it out of date")
+{
+  const Silence silence;
+  const Points points = cloud();
+  Skeletonization steps(points);
+  Skeletonization::Skeleton skeleton;
+  REQUIRE(steps.run());
+  REQUIRE(steps.project());
+  CHECK_THROWS_AS(steps.extract_skeleton(skeleton), CGAL::Precondition_exception);
+  REQUIRE(steps.link());
+  CHECK_NOTHROW(steps.extract_skeleton(skeleton));
+  REQUIRE(steps.fit_mixture());
+  CHECK_THROWS_AS(steps.link(), CGAL::Precondition_exception);
+}
+
+TEST_CASE("The same of the published method")
+{
+  using Published = CGAL::Published_l1_medial_skeletonization_3<Kernel>;
+  const Silence silence;
+  const Points points = cloud();
+  Published steps(points);
+  Published::Skeleton skeleton;
+  CHECK_THROWS_AS(steps.project(), CGAL::Precondition_exception);
+  REQUIRE(steps.fit_mixture());
+  CHECK_THROWS_AS(steps.link(), CGAL::Precondition_exception);
+  REQUIRE(steps.project());
+  CHECK_THROWS_AS(steps.extract_skeleton(skeleton), CGAL::Precondition_exception);
+  REQUIRE(steps.link());
+  CHECK_NOTHROW(steps.extract_skeleton(skeleton));
+}
+
+TEST_CASE("Options out of their range violate a precondition")
+{
+  using namespace CGAL::Point_set_skeletonization_3::internal;
+  const Silence silence;
+  Published_projection_options published;
+  published.repulsion = 0.5;
+  CHECK_THROWS_AS(published.check(), CGAL::Precondition_exception);
+  Nearest_neighbor_options neighbors;
+  neighbors.neighbors = 0;
+  CHECK_THROWS_AS(neighbors.check(), CGAL::Precondition_exception);
+  Grid_options grid;
+  grid.minimum_patches = grid.maximum_patches + 1;
+  CHECK_THROWS_AS(grid.check(), CGAL::Precondition_exception);
+}
+
+TEST_CASE("Samples that cannot be violate a precondition")
+{
+  const Silence silence;
+  CGAL::Medial_samples_3<Kernel> samples;
+  samples.samples.resize(2);
+  Skeletonization::Skeleton skeleton;
+  samples.noise = 1.5;
+  CHECK_THROWS_AS(CGAL::link_medial_samples(samples, skeleton), CGAL::Precondition_exception);
+  samples.noise = 0;
+  samples.surface.emplace_back(Kernel::Point_3(0, 0, 0), 2); // of a sample that is not there
+  CHECK_THROWS_AS(CGAL::link_medial_samples(samples, skeleton), CGAL::Precondition_exception);
+}
+
+TEST_CASE("Builders with different boxes cannot be merged")
+{
+  using Builder = CGAL::Gaussian_mixture_builder_3<Kernel>;
+  const Silence silence;
+  Builder builder(CGAL::Bbox_3(0, 0, 0, 1, 1, 1));
+  CHECK_THROWS_AS(builder.merge(Builder(CGAL::Bbox_3(0, 0, 0, 1, 1, 2))),
+                  CGAL::Precondition_exception);
+  CHECK_NOTHROW(builder.merge(Builder(builder.box())));
+}

@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What makes a loop: a hole of the shape, not limbs that nearly touch.
+
+#include "catch2.h"
+#include "generator/Random.h"
+#include "graph_counts.h"
+#include "shapes.h"
+
+#include <CGAL/extract_l1_medial_skeleton.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+using shapes::Vector;
+
+namespace {
+
+constexpr unsigned int seeds[] = {1, 2, 3};
+
+Vector around(double angle)
+{
+  return Vector(std::cos(angle), std::sin(angle), 0);
+}
+
+Graph_counts counts_of(const std::vector<Vector>& points)
+{
+  using Kernel = CGAL::Simple_cartesian<double>;
+  CGAL::Curve_skeleton_3<Kernel> skeleton;
+  REQUIRE(CGAL::extract_l1_medial_skeleton(shapes::to_points<Kernel>(points), skeleton));
+  return count_graph(skeleton);
+}
+
+} // namespace
+
+TEST_CASE("Turns of a spring that nearly touch make no loops")
+{
+  constexpr double r = 0.1, coil = 0.5, pitch = 2.7 * r, turns = 3;
+  constexpr int sides = 24; // of a turn
+  const auto at = [&](int i) {
+    const double turn = static_cast<double>(i) / sides;
+    return Vector(coil * around(2 * shapes::pi * turn) + pitch * turn * Vector::UnitZ());
+  };
+  shapes::Shape spring;
+  for(int i = 0; i < turns * sides; ++i)
+    spring.push_back({at(i), at(i + 1), r});
+  for(const unsigned int seed : seeds) {
+    CAPTURE(seed);
+    const Graph_counts counts = counts_of(shapes::sample(spring, 20000, seed));
+    CHECK(counts.components == 1);
+    CHECK(counts.cycles == 0);
+    CHECK(counts.ends == 2);
+  }
+}
+
+TEST_CASE("A screw hole in a plate is a loop")
+{
+  // A plate of 4 x 2 x 0.4 with a hole of radius 0.25.
+  const double length = 4, width = 2, height = 0.4, radius = 0.25;
+  const Vector hole(1, 1, 0);
+  for(const unsigned int seed : seeds) {
+    CAPTURE(seed);
+    shapes::Random random(seed);
+    std::vector<Vector> points;
+    const double faces = length * width, sides = length * height, ends = width * height;
+    const double wall = 2 * shapes::pi * radius * height;
+    while(points.size() < 10000) {
+      const double choice = random.uniform() * (2 * (faces + sides + ends) + wall);
+      const double u = random.uniform(), v = random.uniform(), side = std::floor(2 * random.uniform());
+      Vector p;
+      if(choice < 2 * faces)
+        p = Vector(length * u, width * v, height * side);
+      else if(choice < 2 * (faces + sides))
+        p = Vector(length * u, width * side, height * v);
+      else if(choice < 2 * (faces + sides + ends))
+        p = Vector(length * side, width * u, height * v);
+      else
+        p = hole + radius * around(2 * shapes::pi * u) + height * v * Vector::UnitZ();
+      if((p - hole).head<2>().norm() > 0.999 * radius)
+        points.push_back(p);
+    }
+    const Graph_counts counts = counts_of(points);
+    CHECK(counts.components == 1);
+    CHECK(counts.cycles == 1);
+  }
+}

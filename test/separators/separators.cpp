@@ -1,0 +1,310 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Separators of a torus and of a tube: rings of patches that regions find, and that paths, closed curves
+// and the balls of patches tell from arcs.
+
+#include "analytic_surfaces.h"
+
+#include "catch2.h"
+#include "threads.h"
+
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Ball_overlaps.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Closed_curve.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Growing_region.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Path_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/choose_separators.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/local_separators.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Winding_number.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <vector>
+
+using namespace CGAL::Point_set_skeletonization_3::internal;
+using surfaces::across;
+using surfaces::around;
+using surfaces::ring_radius;
+
+namespace {
+
+Patch_graph graph_of(const Patches& patches) { return Patch_graph(patches, adjacent_pairs(patches)); }
+
+Surface surface_of(const Patches& patches)
+{
+  const Box_tree tree = surfaces::tree_of(patches);
+  const std::vector<double> confidence(patches.size(), 1);
+  return {patches,
+          patches.front().spacing,
+          tree,
+          confidence,
+          Winding_number(patches, tree, Concurrency::sequential),
+          Visible_surface(patches, confidence, tree)};
+}
+
+// Curves in the solid torus.
+class Solid_torus
+{
+public:
+  Closed_curve curve(const std::vector<Vector3>& points) const
+  {
+    return Closed_curve(points, surface_.spacing, surface_.winding_number);
+  }
+
+  bool is_contractible(const std::vector<Vector3>& points) const
+  {
+    return curve(points).is_contractible();
+  }
+
+private:
+  Surface surface_ = surface_of(surfaces::torus.patches());
+};
+
+// A part of the torus along a circle in its plane, from one angle to another.
+std::vector<Vector3> arc(double radius, double from, double to)
+{
+  std::vector<Vector3> result;
+  for(int i = 0; i < 20; ++i)
+    result.push_back(radius * around(from + i * (to - from) / 20));
+  return result;
+}
+
+std::vector<Vector3> there_and_back(const std::vector<Vector3>& there,
+                                    const std::vector<Vector3>& back)
+{
+  std::vector<Vector3> result = there;
+  result.insert(result.end(), back.rbegin(), back.rend());
+  return result;
+}
+
+// The patches of a tube in the `j`-th row along it, all around the torus.
+std::vector<std::size_t> loop_along(int j, bool backwards = false)
+{
+  std::vector<std::size_t> result;
+  for(int i = 0; i < surfaces::torus.along; ++i)
+    result.push_back(surfaces::torus.index(i, j));
+  if(backwards)
+    std::reverse(result.begin(), result.end());
+  return result;
+}
+
+// Whether what is left without some patches hangs together, as far as patches next to those go.
+std::size_t pieces_without(const Patches& patches, const std::vector<std::size_t>& removed)
+{
+  Union_find sets(patches.size());
+  std::vector<bool> is_removed(patches.size(), false);
+  for(std::size_t i : removed)
+    is_removed[i] = true;
+  std::set<std::size_t> pieces;
+  for(std::size_t i = 0; i < patches.size(); ++i)
+    for(std::size_t j : patches[i].neighbors)
+      if(!is_removed[i] && !is_removed[j])
+        sets.join(i, j);
+  for(std::size_t i = 0; i < patches.size(); ++i)
+    if(!is_removed[i])
+      pieces.insert(sets.find(i));
+  return pieces.size();
+}
+
+} // namespace
+
+TEST_CASE("A closed curve around the hole of a torus is not contractible")
+{
+  std::vector<Vector3> curve;
+  for(int i = 0; i < 20; ++i)
+    curve.push_back((ring_radius + (i % 2 == 0 ? 0.1 : -0.1)) * around(2 * CGAL_PI * i / 20));
+  CHECK_FALSE(Solid_torus().is_contractible(curve));
+}
+
+TEST_CASE("A closed curve that goes there and back in a bent limb is contractible")
+{
+  CHECK(Solid_torus().is_contractible(there_and_back(arc(ring_radius + 0.1, 0, 1.5 * CGAL_PI),
+                                                     arc(ring_radius - 0.1, 0, 1.5 * CGAL_PI))));
+}
+
+TEST_CASE("A closed curve is solid if all of it is in the solid")
+{
+  const Solid_torus solid;
+  CHECK(solid.curve(arc(ring_radius, 0, 2 * CGAL_PI)).is_solid());
+  CHECK_FALSE(solid.curve(arc(ring_radius, 0, CGAL_PI)).is_solid()); // closed through the hole
+}
+
+TEST_CASE("A closed curve can be moved onto one that goes around as often, wherever that starts")
+{
+  const Solid_torus solid;
+  const Closed_curve curve = solid.curve(arc(ring_radius, 0, 2 * CGAL_PI));
+  CHECK(curve.can_be_moved_onto(curve));
+  CHECK(curve.can_be_moved_onto(solid.curve(arc(ring_radius + 0.1, 1, 1 + 2 * CGAL_PI))));
+  CHECK(curve.can_be_moved_onto(solid.curve(arc(ring_radius - 0.1, 2, 2 - 2 * CGAL_PI))));
+  const std::vector<Vector3> bent = arc(ring_radius, 0, 1.5 * CGAL_PI);
+  CHECK_FALSE(curve.can_be_moved_onto(solid.curve(there_and_back(bent, bent))));
+}
+
+TEST_CASE("A path around an arc is short, that around a ring of a torus goes around the hole")
+{
+  const Patches patches = surfaces::torus.patches();
+  const Patch_graph graph = graph_of(patches);
+  Path_search search(patches, graph);
+  for(int round = 0; round < 2; ++round) { // one object may be asked again
+    const Path_search::Path short_path = search.around(surfaces::torus.separator(10, 0, 4));
+    CHECK(short_path.size() <= 8);
+    const Path_search::Path long_path = search.around(surfaces::torus.separator(10));
+    CHECK(long_path.size() >= static_cast<std::size_t>(surfaces::torus.along) - 3);
+    for(std::size_t k = 1; k < long_path.size(); ++k) {
+      const std::vector<std::size_t>& neighbors = patches[long_path[k]].neighbors;
+      REQUIRE(std::binary_search(neighbors.begin(), neighbors.end(), long_path[k - 1]));
+    }
+    const Path_search::Path closed = search.closed(long_path, surfaces::torus.separator(10));
+    CHECK(search.algebraic_intersection_number(closed, surfaces::torus.separator(10)) != 0);
+    CHECK(search.algebraic_intersection_number(closed, surfaces::torus.separator(40)) != 0);
+  }
+}
+
+TEST_CASE("There is no path around a ring of a tube")
+{
+  const Patches patches = surfaces::tube.patches();
+  const Patch_graph graph = graph_of(patches);
+  CHECK(Path_search(patches, graph).around(surfaces::tube.separator(15)).empty());
+}
+
+TEST_CASE("A loop along a torus crosses each ring once, and in which direction it goes shows")
+{
+  const Patches patches = surfaces::torus.patches();
+  const Patch_graph graph = graph_of(patches);
+  Path_search search(patches, graph);
+  for(const int i : {3, 30}) {
+    const Local_separator ring = surfaces::torus.separator(i);
+    CHECK(search.algebraic_intersection_number(loop_along(0), ring) == 1);
+    CHECK(search.algebraic_intersection_number(loop_along(7, true), ring) == -1);
+    CHECK(search.algebraic_intersection_number(ring.patches, surfaces::torus.separator(i + 9)) == 0);
+  }
+}
+
+TEST_CASE("Overlap of balls: whole within a limb, none between limbs that touch")
+{
+  const Medial_ball ball{Vector3(0, 0, 0), 1};
+  CHECK(relative_overlap(ball, ball) == 1);
+  CHECK(relative_overlap(ball, {Vector3(0.1, 0, 0), 1}) > 0.99);
+  CHECK(relative_overlap(ball, {Vector3(2, 0, 0), 1}) == 0);
+  CHECK(relative_overlap(ball, {Vector3(50, 0, 0), 1}) == 0);
+  // A small limb that leaves a large one.
+  CHECK(relative_overlap(ball, {Vector3(0.9, 0, 0), 0.1}) == 1);
+  // The circle where two unit balls at distance d meet has the radius sqrt(1 - d^2 / 4).
+  CHECK(relative_overlap(ball, {Vector3(0, 1.6, 0), 1}) == Approx(0.6));
+  CHECK(relative_overlap({Vector3(0, 1.6, 0), 1}, ball) == Approx(0.6));
+}
+
+TEST_CASE("In one limb all balls overlap, and an unknown one is what one is told it is")
+{
+  const Patches patches = surfaces::tube.patches();
+  Samples samples = surfaces::samples_of(patches);
+  const Ball_overlaps overlaps(patches, samples, 0, Concurrency::sequential);
+  REQUIRE(overlaps.pairs().size() == adjacent_pairs(patches).size());
+  for(std::size_t k = 0; k < overlaps.pairs().size(); ++k)
+    REQUIRE(overlaps.are_in_one_limb(k));
+  for(std::size_t i = 0; i < samples.size(); ++i)
+    samples[i] = {patches[i].mean, 0};
+  for(const double unknown : {0.0, 1.0}) {
+    const Ball_overlaps nothing(patches, samples, unknown, Concurrency::sequential);
+    for(std::size_t k = 0; k < nothing.pairs().size(); ++k)
+      REQUIRE(nothing[k] == unknown);
+  }
+}
+
+TEST_CASE("The separator of a region in a tube is a ring around it")
+{
+  const Patches patches = surfaces::tube.patches();
+  const Samples samples = surfaces::samples_of(patches);
+  const Patch_graph graph = graph_of(patches);
+  Growing_region region(patches, graph, samples);
+  for(const int i : {10, 15, 19})
+    for(const int j : {0, 7}) {
+      CAPTURE(i, j);
+      const Local_separator separator = region.grow_from(surfaces::tube.index(i, j)).separator;
+      REQUIRE(!separator.patches.empty());
+      CHECK(pieces_without(patches, separator.patches) == 2);
+      std::set<int> rows; // all around
+      double middle = 0;
+      for(std::size_t patch : separator.patches) {
+        rows.insert(static_cast<int>(patch) % across);
+        middle += static_cast<double>(patch / across) / static_cast<double>(separator.patches.size());
+      }
+      CHECK(rows.size() == across);
+      CHECK(middle == Approx(i).margin(1.5));
+      // What is beside it belongs to it neither, and is on its side.
+      for(std::size_t side = 0; side < 2; ++side)
+        for(std::size_t patch : separator.sides[side]) {
+          REQUIRE(!std::binary_search(separator.patches.begin(), separator.patches.end(), patch));
+          const auto& other = separator.sides[1 - side];
+          REQUIRE(!std::binary_search(other.begin(), other.end(), patch));
+        }
+    }
+}
+
+TEST_CASE("A region that meets no limb has no separator")
+{
+  // A flat sheet, whose samples are on it.
+  constexpr int width = 30;
+  Patches patches;
+  for(int i = 0; i < width; ++i)
+    for(int j = 0; j < width; ++j) {
+      Patch patch;
+      patch.mean = Vector3(i, j, 0);
+      patch.spacing = patch.weight = patch.area = patch.planarity = 1;
+      for(int k = 0; k < width * width; ++k)
+        if(std::abs(k / width - i) + std::abs(k % width - j) == 1)
+          patch.neighbors.push_back(static_cast<std::size_t>(k));
+      patches.push_back(patch);
+    }
+  Samples samples;
+  for(const Patch& patch : patches)
+    samples.push_back({patch.mean, 1});
+  const Patch_graph graph = graph_of(patches);
+  Growing_region region(patches, graph, samples);
+  CHECK(region.grow_from(width / 2 * width + width / 2).separator.patches.empty());
+}
+
+TEST_CASE("A ring around a limb is chosen, an arc of it is not")
+{
+  const Surface surface = surface_of(surfaces::torus.patches());
+  const Samples samples = surfaces::samples_of(surface.patches);
+  const Patch_graph graph = graph_of(surface.patches);
+  const auto number_chosen = [&](const std::vector<Local_separator>& candidates) {
+    return choose_separators(candidates, surface, samples, graph, Concurrency::sequential).size();
+  };
+  CHECK(number_chosen({surfaces::torus.separator(10, 0, across / 2)}) == 0);
+  CHECK(number_chosen({surfaces::torus.separator(10)}) == 1);
+  CHECK(number_chosen({surfaces::torus.separator(10), surfaces::torus.separator(30)}) == 2);
+  CHECK(number_chosen({surfaces::torus.separator(10), surfaces::torus.separator(10)}) == 1);
+  CHECK(number_chosen({surfaces::torus.separator(30, 3, across - 3),
+                       surfaces::torus.separator(10)}) == 1);
+}
+
+TEST_CASE("A torus is cut all around, in disjoint rings, by any number of threads")
+{
+  const Surface surface = surface_of(surfaces::torus.patches());
+  const Samples samples = surfaces::samples_of(surface.patches);
+  const Ball_overlaps overlaps(surface.patches, samples, 0, Concurrency::sequential);
+  const std::vector<Local_separator> expected =
+    local_separators(surface, samples, overlaps, Concurrency::sequential);
+  CHECK(expected.size() >= 3);
+  std::set<std::size_t> used;
+  for(const Local_separator& separator : expected) {
+    CHECK(pieces_without(surface.patches, separator.patches) == 1); // a torus stays in one piece
+    for(std::size_t i : separator.patches)
+      CHECK(used.insert(i).second);
+  }
+  for_threads([&](Concurrency concurrency) {
+    const std::vector<Local_separator> found =
+      local_separators(surface, samples, overlaps, concurrency);
+    REQUIRE(found.size() == expected.size());
+    for(std::size_t s = 0; s < found.size(); ++s) {
+      CHECK(found[s].patches == expected[s].patches);
+      CHECK(found[s].sides == expected[s].sides);
+    }
+  });
+}
