@@ -13,7 +13,8 @@ struct Quality_options
 {
   std::vector<std::string> families; ///< all if empty
   std::vector<std::string> variants; ///< all if empty
-  unsigned int seeds = 5;            ///< shapes of every family, from seed 1 on
+  unsigned int seeds = 5;            ///< shapes of every family
+  unsigned int first_seed = 1;       ///< of the first of them
 
   std::vector<std::string> files;
   std::vector<double> noise = {0, 0.005, 0.01}; ///< standard deviations, in diagonals

@@ -148,7 +148,7 @@ void generated::run(const Quality_options& options)
   const std::vector<std::string> families = chosen_families(options);
   const std::vector<shapes::Variant> variants = chosen_variants(options);
   const auto work = [&](std::size_t job) {
-    const auto seed = static_cast<unsigned int>(job % options.seeds) + 1;
+    const auto seed = static_cast<unsigned int>(job % options.seeds) + options.first_seed;
     return rows_of(shapes::known_shape(families[job / options.seeds], seed), variants, options);
   };
   report(options, families.size() * options.seeds, work, layout());

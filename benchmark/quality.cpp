@@ -8,6 +8,7 @@
 #include "clouds.h"
 #include "generated.h"
 #include "meshes.h"
+#include "sweep.h"
 
 #include <CLI/CLI.hpp>
 
@@ -39,14 +40,22 @@ void add_points_option(CLI::App& command, Quality_options& options)
       ->check(CLI::Range(1, 100000000));
 }
 
+void add_seed_options(CLI::App& command, Quality_options& options)
+{
+  command.add_option("--seeds", options.seeds, "shapes of a family [5]")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000000));
+  command.add_option("--first-seed", options.first_seed, "seed of the first shape [1]")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000000));
+}
+
 CLI::App* add_generated(CLI::App& app, Quality_options& options)
 {
   CLI::App* command = app.add_subcommand("generated", "shapes whose skeleton is known");
   command->add_option("--families", options.families, "some only, a,b")->delimiter(',');
   command->add_option("--variants", options.variants, "some only, a,b")->delimiter(',');
-  command->add_option("--seeds", options.seeds, "shapes of a family [5]")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000000));
+  add_seed_options(*command, options);
   add_points_option(*command, options);
   add_common_options(*command, options);
   return command;
@@ -75,6 +84,17 @@ CLI::App* add_clouds(CLI::App& app, Quality_options& options)
   return command;
 }
 
+CLI::App* add_sweep(CLI::App& app, Quality_options& options)
+{
+  CLI::App* command = app.add_subcommand("sweep", "every option moved by 20 %, on generated shapes");
+  add_seed_options(*command, options);
+  add_points_option(*command, options);
+  command->add_option("--threads", options.threads, "clouds at a time [1]")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  return command;
+}
+
 /// \return the exit code \throw std::runtime_error with a message of one line
 int run(int argc, char** argv)
 {
@@ -84,6 +104,7 @@ int run(int argc, char** argv)
   const CLI::App* generated = add_generated(app, options);
   const CLI::App* meshes = add_meshes(app, options);
   const CLI::App* clouds = add_clouds(app, options);
+  const CLI::App* sweep = add_sweep(app, options);
   try {
     app.parse(argc, argv);
   } catch(const CLI::CallForHelp& help) {
@@ -97,6 +118,8 @@ int run(int argc, char** argv)
     meshes::run(options);
   if(clouds->parsed())
     clouds::run(options);
+  if(sweep->parsed())
+    sweep::run(options);
   return EXIT_SUCCESS;
 }
 
