@@ -18,8 +18,8 @@
 #include <cstddef>
 #include <vector>
 
-/// Patches of tubes in a regular grid, with all that is known of them: rings of patches, one after the
-/// other along the axis. The neighbours of a patch are the four beside it.
+/// Patches of tubes in a regular grid, with all that is known of them: rings of patches, one after
+/// the other along the axis. The neighbours of a patch are the four beside it.
 namespace surfaces {
 
 using CGAL::Point_set_skeletonization_3::internal::Box_tree;
@@ -40,8 +40,8 @@ inline Vector3 around(double angle)
   return Vector3(std::cos(angle), std::sin(angle), 0);
 }
 
-/// A tube of `along` rings: closed, as a torus around the z axis, or straight along the x axis, open at
-/// both ends.
+/// A tube of `along` rings: closed, as a torus around the z axis, or straight along the x axis, open
+/// at both ends.
 struct Tube
 {
   bool is_closed;

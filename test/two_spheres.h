@@ -22,8 +22,8 @@ inline Vector3 center_of_sphere(std::size_t k)
   return k == 0 ? Vector3(-0.6, 0, 0) : Vector3(0.6, 0.1, 0);
 }
 
-/// Patches of two spheres of radius 0.4 as the package estimates them, those of the first before those
-/// of the second.
+/// Patches of two spheres of radius 0.4 as the package estimates them, those of the first before
+/// those of the second.
 inline Patches two_spheres()
 {
   namespace internal = CGAL::Point_set_skeletonization_3::internal;
@@ -40,7 +40,8 @@ inline Patches two_spheres()
   const Box_tree tree(internal::means_of(gaussians));
   return internal::estimate_patches(
     gaussians,
-    internal::k_nearest_neighbors(tree, internal::surface_neighbors + 1, sequential), sequential);
+    internal::k_nearest_neighbors(tree, internal::surface_neighbors + 1, sequential),
+    internal::Surface_options(), sequential);
 }
 
 } // namespace surfaces

@@ -24,6 +24,7 @@ using namespace CGAL::Point_set_skeletonization_3::internal;
 namespace {
 
 constexpr unsigned int seeds[] = {1, 2, 3};
+const Curve_options options;
 constexpr double spacing = 0.3; // of the points of a limb with radius 1, and of the vertices
 
 // A place of a limb whose axis is at arc length s, with the directions across it.
@@ -58,7 +59,10 @@ struct Limb
   Skeleton_graph graph;
   std::vector<std::vector<Vector3>> surface;
 
-  void centre() { centre_curve(graph, surface, spacing, anywhere, Concurrency::sequential); }
+  void centre()
+  {
+    centre_curve(graph, surface, spacing, anywhere, options, Concurrency::sequential);
+  }
 };
 
 Limb curve(const Axis& axis, double length, bool closed, const std::function<Vector3(double)>& off)
@@ -246,7 +250,7 @@ TEST_CASE("What lies beside the plane of a cut through a bend counts as if it we
     Limb limb = curve(bent(ring), length, true, nowhere);
     for(int copies = 0; copies < 4; ++copies)
       sample_tube(limb, bent(ring), length, {}, random);
-    centre_curve(limb.graph, limb.surface, thick_cut, anywhere, Concurrency::sequential);
+    centre_curve(limb.graph, limb.surface, thick_cut, anywhere, options, Concurrency::sequential);
     CHECK(mean_distance(limb, [](const Vector3& p) { return p.head<2>().norm() - ring; }) ==
           Approx(0).margin(0.02));
   }
@@ -337,7 +341,7 @@ TEST_CASE("Nothing is drawn out of the shape")
       inside.push_back(p.x() > wall);
     return inside;
   };
-  centre_curve(limb.graph, limb.surface, spacing, behind_wall, Concurrency::sequential);
+  centre_curve(limb.graph, limb.surface, spacing, behind_wall, options, Concurrency::sequential);
   CHECK(outside() == 0);
   limb.centre();
   CHECK(outside() > 0);
@@ -374,7 +378,8 @@ TEST_CASE("Centring commutes with scaling")
     for(Vector3& p : points)
       p *= scale;
   limb.centre();
-  centre_curve(small.graph, small.surface, scale * spacing, anywhere, Concurrency::sequential);
+  centre_curve(small.graph, small.surface, scale * spacing, anywhere, options,
+               Concurrency::sequential);
   for(std::size_t v = 0; v < limb.graph.vertices.size(); ++v)
     CHECK((small.graph.vertices[v].position - scale * limb.graph.vertices[v].position).norm() <
           1e-9 * scale);
@@ -390,7 +395,7 @@ TEST_CASE("Any number of threads centres in the same way")
   expected.centre();
   for_threads([&](Concurrency concurrency) {
     Limb other = limb;
-    centre_curve(other.graph, other.surface, spacing, anywhere, concurrency);
+    centre_curve(other.graph, other.surface, spacing, anywhere, options, concurrency);
     for(std::size_t v = 0; v < other.graph.vertices.size(); ++v)
       REQUIRE(other.graph.vertices[v].position == expected.graph.vertices[v].position);
   });

@@ -1,18 +1,20 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The graph of the pieces that separators cut a surface into, on rings of patches; and what is pruned
-// from it.
+// The graph of the pieces that separators cut a surface into, on rings of patches; and what is
+// pruned from it.
 
-#include "analytic_surfaces.h"
+#include "surface_of.h"
 
 #include "catch2.h"
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/stray_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Ball_overlaps.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Separator_options.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,15 +28,22 @@ using surfaces::tube_radius;
 
 namespace {
 
+Ball_overlaps overlaps_of(const Surface& surface, const Samples& samples)
+{
+  constexpr double unknown = 0;
+  return Ball_overlaps(surface, samples, unknown, Separator_options().overlap,
+                       Concurrency::sequential);
+}
+
 Surface_quotient quotient_of(const Tube& tube, const std::vector<int>& rings)
 {
-  const Patches patches = tube.patches();
-  const Samples samples = surfaces::samples_of(patches);
-  const Ball_overlaps overlaps(patches, samples, 0, Concurrency::sequential);
+  const Surface surface = surfaces::surface_of(tube.patches());
+  const Samples samples = surfaces::samples_of(surface.patches);
   std::vector<Local_separator> separators;
   for(int ring : rings)
     separators.push_back(tube.separator(ring));
-  return surface_quotient(patches, samples, overlaps, separators, Concurrency::sequential);
+  return surface_quotient(surface.patches, samples, overlaps_of(surface, samples), separators,
+                          Concurrency::sequential);
 }
 
 std::size_t number_of_components(const Skeleton_graph& graph)
@@ -64,21 +73,23 @@ bool is_path(const Skeleton_graph& graph)
                      [](const auto& neighbors) { return neighbors.size() <= 2; });
 }
 
-// A quotient made by hand: a tree of vertices, each with a ring of patches around it. Those with an odd
-// number are cross-sections.
+// A quotient made by hand: vertices with a ring of patches around each.
 class Made_up_quotient
 {
 public:
   Surface_quotient quotient;
   Patches patches;
 
-  std::size_t add_vertex(const Vector3& position, double radius, int size = 12)
+  // \param ring how many patches, around an axis
+  std::size_t add_vertex(const Vector3& position, const Vector3& axis, double radius, int ring = 12)
   {
     const std::size_t v = quotient.graph.vertices.size();
-    quotient.graph.vertices.push_back({position, radius, v % 2 == 1});
-    for(int k = 0; k < size; ++k) {
+    quotient.graph.vertices.push_back({position, radius, false});
+    const Vector3 e1 = axis.unitOrthogonal(), e2 = axis.normalized().cross(e1);
+    for(int k = 0; k < ring; ++k) {
+      const Vector3 direction = surfaces::around(2 * CGAL_PI * k / ring);
       Patch patch;
-      patch.mean = position + radius * surfaces::around(2 * CGAL_PI * k / size);
+      patch.mean = position + radius * (direction.x() * e1 + direction.y() * e2);
       patch.weight = 1;
       quotient.vertex_of_patch.push_back(v);
       patches.push_back(patch);
@@ -86,35 +97,40 @@ public:
     return v;
   }
 
-  // A branch from a vertex, of `size` vertices one `step` apart.
-  std::size_t add_branch(std::size_t from, const Vector3& step, int size, double radius, int ring = 12)
+  // A branch from a vertex, of `size` vertices one `step` apart: a cross-section, a piece, and so on.
+  std::size_t add_branch(std::size_t from, const Vector3& step, int size, double radius,
+                         int ring = 12)
   {
     for(int k = 0; k < size; ++k) {
-      const std::size_t next =
-        add_vertex(quotient.graph.vertices[from].position + step, radius, ring);
+      const Vector3 position = quotient.graph.vertices[from].position + step;
+      const std::size_t next = add_vertex(position, step, radius, ring);
+      quotient.graph.vertices[next].is_cross_section = k % 2 == 0;
       quotient.graph.edges.emplace_back(from, next);
       from = next;
     }
     return from;
   }
 
-  Pruned_quotient pruned() const { return prune(quotient, patches); }
+  Pruned_quotient pruned() const { return prune(quotient, patches, Curve_options()); }
 };
 
 std::size_t number_of_ends(const Skeleton_graph& graph)
 {
   const auto adjacency = graph.adjacency();
-  return static_cast<std::size_t>(std::count_if(
-    adjacency.begin(), adjacency.end(), [](const auto& neighbors) { return neighbors.size() == 1; }));
+  std::size_t result = 0;
+  for(const std::vector<std::size_t>& neighbors : adjacency)
+    result += neighbors.size() == 1;
+  return result;
 }
 
-// Two long limbs in a line, with a radius of 1.
+// Two long limbs in a line from the first vertex, which end with cross-sections.
 Made_up_quotient two_limbs()
 {
   Made_up_quotient result;
-  const std::size_t middle = result.add_vertex(Vector3::Zero(), 1);
-  result.add_branch(middle, Vector3(0, 0, 1), 9, 1);
-  result.add_branch(middle, Vector3(0, 0, -1), 9, 1);
+  const Vector3 z = Vector3::UnitZ();
+  const std::size_t middle = result.add_vertex(Vector3::Zero(), z, 1);
+  result.add_branch(middle, z, 9, 1);
+  result.add_branch(middle, -z, 9, 1);
   return result;
 }
 
@@ -179,14 +195,16 @@ TEST_CASE("A vertex lies in the middle of its patches, and separators are cross-
 
 TEST_CASE("Where balls do not overlap, limbs that touch are joined once: there is no loop")
 {
-  // A torus of which some patches know no ball: it is closed by doubtful links only.
+  // A torus of which one ring has its balls outside: these meet those of no other ring.
   const Tube tube = surfaces::torus;
-  const Patches patches = tube.patches();
+  const Surface surface = surfaces::surface_of(tube.patches());
+  const Patches& patches = surface.patches;
   Samples samples = surfaces::samples_of(patches);
-  for(std::size_t i = 0; i < patches.size(); ++i)
-    if(const int ring = static_cast<int>(i) / surfaces::across; ring < 3 || ring >= tube.along - 3)
-      samples[i] = {patches[i].mean + Vector3(0, 0, 100 + ring), 1}; // a ball far from those beside it
-  const Ball_overlaps overlaps(patches, samples, 0, Concurrency::sequential);
+  for(int j = 0; j < surfaces::across; ++j) {
+    const std::size_t i = tube.index(tube.along - 1, j);
+    samples[i].position = patches[i].mean + tube_radius * patches[i].normal;
+  }
+  const Ball_overlaps overlaps = overlaps_of(surface, samples);
   const std::vector<Local_separator> separators = {tube.separator(20), tube.separator(40)};
   const Surface_quotient quotient =
     surface_quotient(patches, samples, overlaps, separators, Concurrency::sequential);
@@ -208,13 +226,14 @@ TEST_CASE("The middle of samples is not drawn away by one that went astray")
 
 TEST_CASE("Components with next to no points are stray")
 {
+  constexpr double share = 0.01;
   Skeleton_graph graph;
   graph.vertices.resize(6);
   graph.edges = {{0, 1}, {1, 2}, {3, 4}};
-  CHECK(stray_vertices(graph, {500, 400, 100, 2, 3, 11}) ==
+  CHECK(stray_vertices(graph, {500, 400, 100, 2, 3, 11}, share) ==
         std::vector<bool>{false, false, false, true, true, false});
-  CHECK(stray_vertices(graph, {0, 1, 0, 1, 0, 1}) == std::vector<bool>(6, false));
-  CHECK(stray_vertices(Skeleton_graph(), {}).empty());
+  CHECK(stray_vertices(graph, {0, 1, 0, 1, 0, 1}, share) == std::vector<bool>(6, false));
+  CHECK(stray_vertices(Skeleton_graph(), {}, share).empty());
 }
 
 TEST_CASE("A bump is pruned, a limb stays")
@@ -222,8 +241,8 @@ TEST_CASE("A bump is pruned, a limb stays")
   Made_up_quotient bump = two_limbs(), limb = two_limbs();
   const std::size_t plain = number_of_ends(two_limbs().pruned().graph);
   CHECK(plain == 2);
-  bump.add_branch(0, Vector3(1, 0, 0), 2, 0.9);  // hardly longer than it is wide
-  limb.add_branch(0, Vector3(1, 0, 0), 9, 0.9);
+  bump.add_branch(0, Vector3(0.5, 0, 0), 2, 0.9); // hardly longer than half of its width
+  limb.add_branch(0, Vector3(0.5, 0, 0), 15, 0.9);
   CHECK(number_of_ends(bump.quotient.graph) == 3);
   CHECK(number_of_ends(bump.pruned().graph) == 2);
   CHECK(number_of_ends(limb.pruned().graph) == 3);
@@ -255,7 +274,7 @@ TEST_CASE("A bridge of a few patches between two limbs is taken off, one of a li
 TEST_CASE("Stray components go, and tell that they were stray")
 {
   Made_up_quotient quotient = two_limbs();
-  const std::size_t stray = quotient.add_vertex(Vector3(50, 0, 0), 1, 1);
+  const std::size_t stray = quotient.add_vertex(Vector3(50, 0, 0), Vector3::UnitX(), 1, 1);
   const Pruned_quotient pruned = quotient.pruned();
   CHECK(number_of_components(pruned.graph) == 1);
   for(std::size_t v = 0; v < pruned.is_stray.size(); ++v)
@@ -264,20 +283,19 @@ TEST_CASE("Stray components go, and tell that they were stray")
 
 TEST_CASE("Caps go, but for those of a single cross-section")
 {
-  Made_up_quotient limb = two_limbs(); // ends with cross-sections
-  CHECK(limb.pruned().graph.vertices.size() == limb.quotient.graph.vertices.size());
-  // Now with a cap on either end: 9 and 18 are the last of the limbs.
+  const std::size_t size = two_limbs().quotient.graph.vertices.size();
+  CHECK(two_limbs().pruned().graph.vertices.size() == size);
   Made_up_quotient capped = two_limbs();
-  capped.quotient.graph.vertices[18].is_cross_section = true;
   for(const std::size_t end : {9u, 18u}) {
-    const std::size_t cap = capped.add_vertex(
-      1.1 * capped.quotient.graph.vertices[end].position, 1);
-    capped.quotient.graph.vertices[cap].is_cross_section = false;
+    const Vector3 tip = 1.1 * capped.quotient.graph.vertices[end].position;
+    const std::size_t cap = capped.add_vertex(tip, tip, 1);
     capped.quotient.graph.edges.emplace_back(end, cap);
   }
-  CHECK(capped.pruned().graph.vertices.size() == capped.quotient.graph.vertices.size() - 2);
+  CHECK(capped.quotient.graph.vertices.size() == size + 2);
+  CHECK(capped.pruned().graph.vertices.size() == size);
 
   Made_up_quotient single;
-  single.add_branch(single.add_vertex(Vector3::Zero(), 1), Vector3(0, 0, 1), 2, 1);
+  const std::size_t first = single.add_vertex(Vector3::Zero(), Vector3::UnitZ(), 1);
+  single.add_branch(first, Vector3::UnitZ(), 2, 1);
   CHECK(single.pruned().graph.vertices.size() == 3);
 }

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Wrong calls. Each must give one error, which says in a sentence what is wrong; the sentence follows
-// the call here.
+// Wrong calls. Each must give one error, which says in a sentence what is wrong; the sentence
+// follows the call here.
 
 #include <CGAL/compute_medial_samples.h>
 #include <CGAL/extract_l1_medial_skeleton.h>

@@ -13,8 +13,8 @@ expected=$(sed -n 's,^ *// expected: ,,p' "$source" | sort)
 errors=$(printf '%s\n' "$output" | sed -n 's/^.*[: ]error: *//p')
 found=$(printf '%s\n' "$errors" |
         sed -n 's/^static[_ ]assert.*failed[^"]*"\(.*\)"$/\1/p; t
-                s/^static[_ ]assert[a-z]* failed: //p; t
-                s/^static[_ ]assert[a-z]* failed due to requirement [^:]*: //p; t
+                s/^static assertion failed: //p; t
+                s/^static[_ ]assert[a-z]* failed due to requirement .*': //p; t
                 s/^/another error: /p' | sort)
 [ "$found" = "$expected" ] || {
   printf 'expected these errors:\n%s\nbut found:\n%s\n' "$expected" "$found"

@@ -83,7 +83,7 @@ TEST_CASE("Progress is fine enough to cancel soon")
 
 TEST_CASE("Cancelling at any report leaves the output as it was")
 {
-  const Points points = cloud(1500);
+  const Points points = cloud(500);
   for(bool published : {false, true}) {
     const std::size_t reports = reported(points, published).size();
     for(std::size_t last = 0; last < reports; ++last) {

@@ -9,6 +9,7 @@
 #include <CGAL/Gaussian_mixture_builder_3.h>
 #include <CGAL/L1_medial_skeletonization_3.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Grid_mixture.h>
+#include <CGAL/Point_set_skeletonization_3/internal/pipeline/Options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/nearest_neighbor_gaussians.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/published_projection.h>
 #include <CGAL/Published_l1_medial_skeletonization_3.h>
@@ -18,6 +19,9 @@
 #include <CGAL/assertions_behaviour.h>
 #include <CGAL/exceptions.h>
 
+#include <limits>
+#include <set>
+#include <string>
 #include <vector>
 
 #ifdef CGAL_NO_PRECONDITIONS
@@ -105,6 +109,41 @@ TEST_CASE("Options out of their range violate a precondition")
   Grid_options grid;
   grid.minimum_patches = grid.maximum_patches + 1;
   CHECK_THROWS_AS(grid.check(), CGAL::Precondition_exception);
+}
+
+TEST_CASE("Every option has a range, in which its default is")
+{
+  using namespace CGAL::Point_set_skeletonization_3::internal;
+  const Silence silence;
+  const auto check = [](const Options& options) {
+    options.mixture.check();
+    options.medial.consolidation.check();
+    options.medial.surface.check();
+    options.medial.samples.check();
+    options.linking.check();
+  };
+  CHECK_NOTHROW(check(Options()));
+  std::set<std::string> names;
+  Options().visit([&](const std::string& name, double) { CHECK(names.insert(name).second); });
+  CHECK(!names.empty());
+  const auto is_refused = [&](const std::string& name, double value) {
+    Options options;
+    options.visit([&](const std::string& visited, double& option) {
+      if(visited == name)
+        option = value;
+    });
+    try {
+      check(options);
+    } catch(const CGAL::Precondition_exception&) {
+      return true;
+    }
+    return false;
+  };
+  for(const std::string& name : names) {
+    CAPTURE(name);
+    CHECK(is_refused(name, std::numeric_limits<double>::quiet_NaN()));
+    CHECK((is_refused(name, -1e9) || is_refused(name, 1e9)));
+  }
 }
 
 TEST_CASE("Samples that cannot be violate a precondition")

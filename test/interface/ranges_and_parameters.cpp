@@ -48,7 +48,8 @@ struct Point_of_index
 
 const Points& cloud()
 {
-  static const Points points = shapes::to_points<Kernel>(shapes::sample(shapes::cylinder(), 1500, 31));
+  static const Points points =
+    shapes::to_points<Kernel>(shapes::sample(shapes::cylinder(), 1500, 31));
   return points;
 }
 
@@ -202,8 +203,8 @@ TEST_CASE("The parameters of the published method chain as well, and each change
   };
   const CGAL::Identity_property_map<Point> map;
   const Skeleton by_default = published(parameters::default_values());
-  CHECK(have_same_bits(by_default,
-                       published(parameters::number_of_iterations(30).random_seed(0).point_map(map))));
+  const auto defaults = parameters::number_of_iterations(30).random_seed(0).point_map(map);
+  CHECK(have_same_bits(by_default, published(defaults)));
   CHECK_FALSE(have_same_bits(by_default, published(parameters::random_seed(1))));
   CHECK_FALSE(have_same_bits(by_default, published(parameters::number_of_iterations(3))));
 }

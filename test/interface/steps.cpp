@@ -19,6 +19,7 @@
 #include <functional>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -61,7 +62,8 @@ void check_repeated(const Points& points)
   Steps once(points);
   REQUIRE(once.run());
   const std::vector<std::function<bool()>> verbs{
-    [&] { return steps.fit_mixture(); }, [&] { return steps.project(); }, [&] { return steps.link(); }};
+    [&] { return steps.fit_mixture(); }, [&] { return steps.project(); },
+    [&] { return steps.link(); }};
   for(const auto& verb : verbs) {
     calls_left = 1;
     CHECK_FALSE(verb());
@@ -197,4 +199,19 @@ TEST_CASE("A step may be repeated, also after it was cancelled")
   const Points points = cloud();
   check_repeated<Skeletonization>(points);
   check_repeated<Published>(points);
+}
+
+TEST_CASE("An object may be moved between its steps, but not copied")
+{
+  CHECK_FALSE(std::is_copy_constructible<Skeletonization>::value);
+  CHECK_FALSE(std::is_copy_constructible<Published>::value);
+  const Points points = cloud();
+  Skeletonization first(points);
+  Skeletonization second = std::move(first);
+  REQUIRE(second.fit_mixture());
+  Skeletonization third = std::move(second);
+  REQUIRE((third.project() && third.link()));
+  Skeleton skeleton;
+  REQUIRE(CGAL::extract_l1_medial_skeleton(points, skeleton));
+  CHECK(have_same_bits(extracted(third), skeleton));
 }

@@ -4,6 +4,7 @@
 // Medial balls of patches, and the samples at their centres.
 
 #include "ellipsoid.h"
+#include "surface_of.h"
 #include "two_spheres.h"
 
 #include "catch2.h"
@@ -12,7 +13,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/medial/medial_balls.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/medial_samples.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/facing.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/orient_patches.h>
 
 #include <algorithm>
@@ -30,6 +31,7 @@ using surfaces::two_spheres;
 namespace {
 
 constexpr unsigned int seeds[] = {1, 2, 3};
+const Surface_options options;
 
 // Radius of the ball that touches `a` from inside and `b`.
 double ball_radius(const Patch& a, const Patch& b)
@@ -38,19 +40,7 @@ double ball_radius(const Patch& a, const Patch& b)
   return d.squaredNorm() / (-2 * a.normal.dot(d));
 }
 
-// A torus with all that is asked of a surface.
-Surface torus()
-{
-  const Patches patches = surfaces::torus.patches();
-  const Box_tree tree = tree_of(patches);
-  const std::vector<double> confidence(patches.size(), 1);
-  return {patches,
-          patches.front().spacing,
-          tree,
-          confidence,
-          Winding_number(patches, tree, Concurrency::sequential),
-          Visible_surface(patches, confidence, tree)};
-}
+Surface torus() { return surfaces::surface_of(surfaces::torus.patches()); }
 
 } // namespace
 
@@ -61,18 +51,18 @@ TEST_CASE("The facing ball is the third smallest of those with all patches that 
   const Patches patches = ellipsoid(1000, seed);
   std::vector<double> confidence(patches.size());
   for(std::size_t i = 0; i < confidence.size(); ++i)
-    confidence[i] = i % 10 == 0 ? trusted_orientation / 2 : 1;
+    confidence[i] = i % 10 == 0 ? options.trusted_orientation / 2 : 1;
   const std::vector<double> found =
-    Facing_balls(patches, confidence, tree_of(patches)).radii(Concurrency::sequential);
+    Facing_balls(patches, confidence, tree_of(patches), options).radii(Concurrency::sequential);
   for(std::size_t i = 0; i < patches.size(); ++i) {
-    if(confidence[i] < trusted_orientation) {
+    if(confidence[i] < options.trusted_orientation) {
       REQUIRE(found[i] == 0);
       continue;
     }
     std::vector<double> radii;
     for(std::size_t j = 0; j < patches.size(); ++j)
-      if(confidence[j] >= trusted_orientation &&
-         patches[j].normal.dot(patches[i].normal) <= opposite_normals &&
+      if(confidence[j] >= options.trusted_orientation &&
+         patches[j].normal.dot(patches[i].normal) <= options.opposite_normals &&
          patches[i].normal.dot(patches[j].mean - patches[i].mean) < 0)
         radii.push_back(ball_radius(patches[i], patches[j]));
     std::sort(radii.begin(), radii.end());
@@ -80,7 +70,7 @@ TEST_CASE("The facing ball is the third smallest of those with all patches that 
     REQUIRE(found[i] == Approx(radii[2]).epsilon(1e-4));
   }
   const Patches two = {patches[0], patches[1]};
-  CHECK(Facing_balls(two, {1, 1}, tree_of(two)).radii(Concurrency::sequential)[0] == 0);
+  CHECK(Facing_balls(two, {1, 1}, tree_of(two), options).radii(Concurrency::sequential)[0] == 0);
 }
 
 TEST_CASE("Thickness changes no faster than a share of the way")

@@ -8,6 +8,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Cell_map.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Cell_set.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Cubic_grid.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Moment_grid.h>
 
 #include <array>
 #include <cmath>
@@ -122,6 +123,30 @@ TEST_CASE("A set of cells holds what std::set holds, alone, added up and coarsen
     CHECK(content(sum.coarsened()) == around);
   }
   CHECK(Cell_set().cells().empty());
+}
+
+TEST_CASE("Cells with moments have numbers of their own, in the order in which they came")
+{
+  for(const unsigned int seed : seeds) {
+    CAPTURE(seed);
+    Random_cells cells(seed);
+    const Cubic_grid grid;
+    Moment_cells moments;
+    std::map<std::uint64_t, double> weights;
+    for(int i = 0; i < 5000; ++i) {
+      const Grid_cell cell = cells();
+      moments.add(grid, cell, grid.center(cell));
+      weights[packed(cell)] += 1;
+      REQUIRE(moments.size() == weights.size());
+      REQUIRE(moments.cells()[moments.number(cell)] == packed(cell));
+    }
+    const Moment_cells same(moments.cells()); // of the same cells, without moments
+    for(std::size_t k = 0; k < moments.size(); ++k) {
+      REQUIRE(moments.moments()[k].weight() == weights.at(moments.cells()[k]));
+      REQUIRE(same.number(unpacked(moments.cells()[k])) == k);
+      REQUIRE(same.moments()[k].weight() == 0);
+    }
+  }
 }
 
 TEST_CASE("The cell around a cell, or a point, is that of whole numbers")

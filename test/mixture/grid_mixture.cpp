@@ -244,7 +244,7 @@ TEST_CASE("The order of the points changes nothing but rounding")
   }
 }
 
-// Sums are split into parts above 32 768 points, and fine cells are read in rounds above 192 000: what
+// Sums are split into parts above 32 768 points, and the grid gets coarser above 192 000 cells: what
 // is below both, between them and above both.
 TEST_CASE("Any number of threads gives the same bits, of clouds of any size")
 {
@@ -273,7 +273,7 @@ TEST_CASE("Any number of threads gives the same bits, of clouds of any size")
 
 TEST_CASE("Reading a large cloud can be cancelled at any report")
 {
-  const Points points = cloud(250000, 13);
+  const Points points = cloud(600000, 13);
   std::size_t reports = 0;
   const auto read = [&](std::size_t last) {
     reports = 0;

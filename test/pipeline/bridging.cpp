@@ -59,9 +59,8 @@ TEST_CASE("A bridge makes no loop: a ring with a gap in it stays open")
   for(const unsigned int seed : seeds) {
     CAPTURE(seed);
     std::vector<Vector> points = shapes::sample(shapes::ring(), 10000, seed);
-    points.erase(std::remove_if(points.begin(), points.end(),
-                                [](const Vector& p) { return std::abs(p.x()) < 0.15 && p.y() > 0; }),
-                 points.end());
+    const auto is_in_gap = [](const Vector& p) { return std::abs(p.x()) < 0.15 && p.y() > 0; };
+    points.erase(std::remove_if(points.begin(), points.end(), is_in_gap), points.end());
     const Graph_counts counts = counts_of(points);
     CHECK(counts.components == 1);
     CHECK(counts.cycles == 0);

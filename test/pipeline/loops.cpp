@@ -70,7 +70,8 @@ TEST_CASE("A screw hole in a plate is a loop")
     const double wall = 2 * shapes::pi * radius * height;
     while(points.size() < 10000) {
       const double choice = random.uniform() * (2 * (faces + sides + ends) + wall);
-      const double u = random.uniform(), v = random.uniform(), side = std::floor(2 * random.uniform());
+      const double u = random.uniform(), v = random.uniform();
+      const double side = std::floor(2 * random.uniform());
       Vector p;
       if(choice < 2 * faces)
         p = Vector(length * u, width * v, height * side);

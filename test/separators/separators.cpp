@@ -1,23 +1,26 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Separators of a torus and of a tube: rings of patches that regions find, and that paths, closed curves
-// and the balls of patches tell from arcs.
+// Separators of a torus and of a tube: rings of patches that regions find, and that paths, closed
+// curves and the balls of patches tell from arcs.
 
-#include "analytic_surfaces.h"
+#include "surface_of.h"
 
 #include "catch2.h"
 #include "threads.h"
 
+#include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Ball_overlaps.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Closed_curve.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Growing_region.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Path_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Separator_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/choose_separators.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/local_separators.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/Winding_number.h>
+
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,21 +32,20 @@ using namespace CGAL::Point_set_skeletonization_3::internal;
 using surfaces::across;
 using surfaces::around;
 using surfaces::ring_radius;
+using surfaces::surface_of;
 
 namespace {
 
-Patch_graph graph_of(const Patches& patches) { return Patch_graph(patches, adjacent_pairs(patches)); }
+const Separator_options options;
 
-Surface surface_of(const Patches& patches)
+Patch_graph graph_of(const Patches& patches)
 {
-  const Box_tree tree = surfaces::tree_of(patches);
-  const std::vector<double> confidence(patches.size(), 1);
-  return {patches,
-          patches.front().spacing,
-          tree,
-          confidence,
-          Winding_number(patches, tree, Concurrency::sequential),
-          Visible_surface(patches, confidence, tree)};
+  return Patch_graph(patches, adjacent_pairs(patches));
+}
+
+Ball_overlaps overlaps_of(const Surface& surface, const Samples& samples, double unknown = 0)
+{
+  return Ball_overlaps(surface, samples, unknown, options.overlap, Concurrency::sequential);
 }
 
 // Curves in the solid torus.
@@ -52,7 +54,7 @@ class Solid_torus
 public:
   Closed_curve curve(const std::vector<Vector3>& points) const
   {
-    return Closed_curve(points, surface_.spacing, surface_.winding_number);
+    return Closed_curve(points, surface_.spacing, surface_);
   }
 
   bool is_contractible(const std::vector<Vector3>& points) const
@@ -180,7 +182,8 @@ TEST_CASE("A loop along a torus crosses each ring once, and in which direction i
     const Local_separator ring = surfaces::torus.separator(i);
     CHECK(search.algebraic_intersection_number(loop_along(0), ring) == 1);
     CHECK(search.algebraic_intersection_number(loop_along(7, true), ring) == -1);
-    CHECK(search.algebraic_intersection_number(ring.patches, surfaces::torus.separator(i + 9)) == 0);
+    const Local_separator other = surfaces::torus.separator(i + 9);
+    CHECK(search.algebraic_intersection_number(ring.patches, other) == 0);
   }
 }
 
@@ -200,16 +203,17 @@ TEST_CASE("Overlap of balls: whole within a limb, none between limbs that touch"
 
 TEST_CASE("In one limb all balls overlap, and an unknown one is what one is told it is")
 {
-  const Patches patches = surfaces::tube.patches();
+  const Surface surface = surface_of(surfaces::tube.patches());
+  const Patches& patches = surface.patches;
   Samples samples = surfaces::samples_of(patches);
-  const Ball_overlaps overlaps(patches, samples, 0, Concurrency::sequential);
+  const Ball_overlaps overlaps = overlaps_of(surface, samples);
   REQUIRE(overlaps.pairs().size() == adjacent_pairs(patches).size());
   for(std::size_t k = 0; k < overlaps.pairs().size(); ++k)
     REQUIRE(overlaps.are_in_one_limb(k));
   for(std::size_t i = 0; i < samples.size(); ++i)
     samples[i] = {patches[i].mean, 0};
   for(const double unknown : {0.0, 1.0}) {
-    const Ball_overlaps nothing(patches, samples, unknown, Concurrency::sequential);
+    const Ball_overlaps nothing = overlaps_of(surface, samples, unknown);
     for(std::size_t k = 0; k < nothing.pairs().size(); ++k)
       REQUIRE(nothing[k] == unknown);
   }
@@ -220,7 +224,7 @@ TEST_CASE("The separator of a region in a tube is a ring around it")
   const Patches patches = surfaces::tube.patches();
   const Samples samples = surfaces::samples_of(patches);
   const Patch_graph graph = graph_of(patches);
-  Growing_region region(patches, graph, samples);
+  Growing_region region(patches, graph, samples, options);
   for(const int i : {10, 15, 19})
     for(const int j : {0, 7}) {
       CAPTURE(i, j);
@@ -231,10 +235,10 @@ TEST_CASE("The separator of a region in a tube is a ring around it")
       double middle = 0;
       for(std::size_t patch : separator.patches) {
         rows.insert(static_cast<int>(patch) % across);
-        middle += static_cast<double>(patch / across) / static_cast<double>(separator.patches.size());
+        middle += static_cast<double>(patch / across);
       }
       CHECK(rows.size() == across);
-      CHECK(middle == Approx(i).margin(1.5));
+      CHECK(middle / static_cast<double>(separator.patches.size()) == Approx(i).margin(1.5));
       // What is beside it belongs to it neither, and is on its side.
       for(std::size_t side = 0; side < 2; ++side)
         for(std::size_t patch : separator.sides[side]) {
@@ -264,7 +268,7 @@ TEST_CASE("A region that meets no limb has no separator")
   for(const Patch& patch : patches)
     samples.push_back({patch.mean, 1});
   const Patch_graph graph = graph_of(patches);
-  Growing_region region(patches, graph, samples);
+  Growing_region region(patches, graph, samples, options);
   CHECK(region.grow_from(width / 2 * width + width / 2).separator.patches.empty());
 }
 
@@ -274,7 +278,8 @@ TEST_CASE("A ring around a limb is chosen, an arc of it is not")
   const Samples samples = surfaces::samples_of(surface.patches);
   const Patch_graph graph = graph_of(surface.patches);
   const auto number_chosen = [&](const std::vector<Local_separator>& candidates) {
-    return choose_separators(candidates, surface, samples, graph, Concurrency::sequential).size();
+    return choose_separators(candidates, surface, samples, graph, options, Concurrency::sequential)
+      .size();
   };
   CHECK(number_chosen({surfaces::torus.separator(10, 0, across / 2)}) == 0);
   CHECK(number_chosen({surfaces::torus.separator(10)}) == 1);
@@ -288,9 +293,9 @@ TEST_CASE("A torus is cut all around, in disjoint rings, by any number of thread
 {
   const Surface surface = surface_of(surfaces::torus.patches());
   const Samples samples = surfaces::samples_of(surface.patches);
-  const Ball_overlaps overlaps(surface.patches, samples, 0, Concurrency::sequential);
+  const Ball_overlaps overlaps = overlaps_of(surface, samples);
   const std::vector<Local_separator> expected =
-    local_separators(surface, samples, overlaps, Concurrency::sequential);
+    local_separators(surface, samples, overlaps, options, Concurrency::sequential);
   CHECK(expected.size() >= 3);
   std::set<std::size_t> used;
   for(const Local_separator& separator : expected) {
@@ -300,7 +305,7 @@ TEST_CASE("A torus is cut all around, in disjoint rings, by any number of thread
   }
   for_threads([&](Concurrency concurrency) {
     const std::vector<Local_separator> found =
-      local_separators(surface, samples, overlaps, concurrency);
+      local_separators(surface, samples, overlaps, options, concurrency);
     REQUIRE(found.size() == expected.size());
     for(std::size_t s = 0; s < found.size(); ++s) {
       CHECK(found[s].patches == expected[s].patches);

@@ -11,6 +11,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/facing.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/orient_patches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/settle_orientation.h>
@@ -29,6 +30,7 @@ using surfaces::two_spheres;
 namespace {
 
 constexpr unsigned int seeds[] = {1, 2, 3};
+const Surface_options options;
 
 bool points_outwards(const Patches& patches, std::size_t i)
 {
@@ -42,12 +44,16 @@ std::vector<Sign_link> random_links(std::size_t size, std::size_t number, shapes
   std::vector<Sign_link> links;
   const auto last = static_cast<int>(size) - 1;
   while(links.size() < number) {
-    const auto a = static_cast<std::size_t>(random.integer(0, last));
-    const auto b = static_cast<std::size_t>(random.integer(0, last));
-    const double trust = random.uniform();
-    const bool is_opposite = random.uniform() < 0.5;
-    if(a != b)
-      links.push_back({std::min(a, b), std::max(a, b), links.size(), trust, is_opposite});
+    const int a = random.integer(0, last), b = random.integer(0, last);
+    if(a == b)
+      continue;
+    Sign_link link;
+    link.a = static_cast<decltype(link.a)>(std::min(a, b));
+    link.b = static_cast<decltype(link.b)>(std::max(a, b));
+    link.index = static_cast<decltype(link.index)>(links.size());
+    link.trust = random.uniform();
+    link.is_opposite = random.uniform() < 0.5;
+    links.push_back(link);
   }
   return links;
 }
@@ -119,8 +125,8 @@ TEST_CASE("A patch of a sphere has its normal and its share of the area")
   const Patches patches = two_spheres();
   double area = 0;
   for(std::size_t i = 0; i < patches.size(); ++i) {
-    const Vector3 radial = (patches[i].mean - surfaces::center_of_sphere(i / patches_of_sphere)) / 0.4;
-    REQUIRE(std::abs(patches[i].normal.dot(radial)) > 0.98);
+    const Vector3 center = surfaces::center_of_sphere(i / patches_of_sphere);
+    REQUIRE(std::abs(patches[i].normal.dot(patches[i].mean - center)) > 0.98 * 0.4);
     REQUIRE(patches[i].planarity > 0.5);
     area += patches[i].area;
   }
@@ -168,7 +174,7 @@ TEST_CASE("A limb that is inside out is turned around")
     if(patch.mean.x() > 0.2 && ++turned)
       patch.normal = -patch.normal;
   REQUIRE(turned > patches.size() / 4);
-  settle_orientation(patches, tree_of(patches), Concurrency::sequential);
+  settle_orientation(patches, tree_of(patches), options, Concurrency::sequential);
   const Patches right = surfaces::torus.patches();
   std::size_t wrong = 0;
   for(std::size_t i = 0; i < patches.size(); ++i)
@@ -176,23 +182,23 @@ TEST_CASE("A limb that is inside out is turned around")
   CHECK(wrong < turned / 10); // the seam
 }
 
-TEST_CASE("Two sheets that face each other through the air are no neighbours, as far as one can tell")
+TEST_CASE("Two sheets that face each other through the air are no neighbours, if that is sure")
 {
   Patches patches(2);
   patches[0] = {Vector3(0, 0, 0), 1, 1, Vector3(0, 0, 1), 1, 1, {1}};
   patches[1] = {Vector3(0.1, 0, 1), 1, 1, Vector3(0, 0, -1), 1, 1, {0}};
-  CHECK(face_through_air(patches[0], patches[1]));
-  CHECK(are_opposite_sheets(patches[0], patches[1]));
+  CHECK(face_through_air(patches[0], patches[1], options));
+  CHECK(are_opposite_sheets(patches[0], patches[1], options));
   Patches doubtful = patches;
-  part_facing_patches(patches, {1, 1}, Concurrency::sequential);
+  part_facing_patches(patches, {1, 1}, options, Concurrency::sequential);
   CHECK((patches[0].neighbors.empty() && patches[1].neighbors.empty()));
-  part_facing_patches(doubtful, {1, 0}, Concurrency::sequential);
+  part_facing_patches(doubtful, {1, 0}, options, Concurrency::sequential);
   CHECK((doubtful[0].neighbors.size() == 1 && doubtful[1].neighbors.size() == 1));
 
   // The two sides of a limb see each other through the shape instead.
   for(Patch& patch : patches)
     patch.normal = -patch.normal;
-  CHECK_FALSE(face_through_air(patches[0], patches[1]));
+  CHECK_FALSE(face_through_air(patches[0], patches[1], options));
 }
 
 TEST_CASE("A torus is read as one oriented surface, by any number of threads")
@@ -201,17 +207,18 @@ TEST_CASE("A torus is read as one oriented surface, by any number of threads")
   const Box_tree tree(means_of(components));
   const K_nearest_neighbors nearest =
     k_nearest_neighbors(tree, surface_neighbors + 1, Concurrency::sequential);
-  const Surface expected = build_surface(components, tree, nearest, Concurrency::sequential);
+  const Surface expected =
+    build_surface(components, tree, nearest, options, Concurrency::sequential);
   const Patches right = surfaces::torus.patches();
   for_threads([&](Concurrency concurrency) {
-    const Surface surface = build_surface(components, tree, nearest, concurrency);
+    const Surface surface = build_surface(components, tree, nearest, options, concurrency);
     CHECK(surface.spacing == expected.spacing);
     CHECK(surface.confidence == expected.confidence);
     for(std::size_t i = 0; i < right.size(); ++i) {
       REQUIRE(surface.patches[i].normal == expected.patches[i].normal);
       REQUIRE(surface.patches[i].neighbors == expected.patches[i].neighbors);
       REQUIRE(surface.patches[i].normal.dot(right[i].normal) > 0.9);
-      REQUIRE(surface.confidence[i] > trusted_orientation);
+      REQUIRE(surface.confidence[i] > options.trusted_orientation);
     }
     CHECK(surface.winding_number(surfaces::around(1)) > 0.75);
     CHECK(surface.winding_number(Vector3::Zero()) < 0.25);
