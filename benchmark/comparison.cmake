@@ -10,6 +10,7 @@ list(REMOVE_ITEM sources ${quality_methods})
 add_library(compared_methods STATIC ${sources})
 target_link_libraries(compared_methods PUBLIC measured)
 target_precompile_headers(compared_methods REUSE_FROM measured)
+compile_one_at_a_time(compared_methods)
 
 add_subdirectory(performance)
 add_subdirectory(report)

@@ -21,10 +21,11 @@ if(TARGET html_report)
 endif()
 
 add_test(NAME readme COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/readme.sh")
-foreach(name IN ITEMS find_package guest missing_packages)
-  if(name STREQUAL "find_package" AND NOT Point_set_skeletonization_3_INSTALL)
-    continue()
-  endif()
+set(projects guest missing_packages)
+if(Point_set_skeletonization_3_INSTALL AND Point_set_skeletonization_3_COMPILED)
+  list(APPEND projects find_package)
+endif()
+foreach(name IN LISTS projects)
   add_test(NAME ${name}
            COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/${name}/run.sh" "${PROJECT_BINARY_DIR}"
                    "${CMAKE_COMMAND}" "${CMAKE_GENERATOR}" "${CMAKE_CXX_COMPILER}")

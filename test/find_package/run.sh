@@ -7,9 +7,15 @@ here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 "$cmake" --install "$build" --prefix "$work/prefix" > "$work/install.log"
+if [ -e "$build/examples/skeletonize_point_set" ]; then
+  "$work/prefix/bin/skeletonize_point_set" --help > "$work/help"
+fi
 "$cmake" -S "$here" -B "$work/build" -G "$generator" -DCMAKE_CXX_COMPILER="$compiler" \
   -DCMAKE_BUILD_TYPE=Debug -DCMAKE_PREFIX_PATH="$work/prefix"
 "$cmake" --build "$work/build"
 cd "$work"
-build/main
-test -s one_vertex.ply
+for program in header_only compiled; do
+  "build/$program"
+  test -s one_vertex.ply
+  rm one_vertex.ply
+done

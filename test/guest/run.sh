@@ -19,8 +19,5 @@ fi
 [ "$(cat "$work/installed")" = ./host/CMakeLists.txt ] ||
   { echo "FAILED: installed by a guest:"; cat "$work/installed"; exit 1; }
 cd "$work"
-for program in header_only compiled; do
-  "build/$program"
-  test -s one_vertex.ply
-  rm one_vertex.ply
-done
+build/compiled
+test -s one_vertex.ply
