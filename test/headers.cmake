@@ -34,3 +34,6 @@ target_compile_definitions(wrong_calls PRIVATE CGAL_POINT_SET_SKELETONIZATION_3_
 add_test(NAME wrong_calls
          COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/headers/wrong_calls.sh" "${CMAKE_COMMAND}"
                  "${PROJECT_BINARY_DIR}")
+
+# Both build in our own folder.
+set_tests_properties(headers_compile_alone wrong_calls PROPERTIES RESOURCE_LOCK build_folder)
