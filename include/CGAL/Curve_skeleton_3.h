@@ -11,25 +11,25 @@
 
 namespace CGAL {
 
-/// What a vertex of a curve skeleton knows.
+/// The properties of a vertex of a curve skeleton.
 template <typename GeomTraits>
 struct Curve_skeleton_vertex_3
 {
   /// Position, in the coordinates of the input.
   typename GeomTraits::Point_3 point{0, 0, 0};
 
-  /// Distance to the nearest surface that faces the vertex; >= 0, in the unit of the input.
+  /// Distance to the nearest surface visible from the vertex; >= 0, in the unit of the input.
   typename GeomTraits::FT radius = 0;
 
-  /// Positions in the input range, ascending, of the points this vertex stands for.
-  /// Every input point belongs to at most one vertex: outliers belong to none. As wide as an index of
-  /// a `Point_set_3`: of ten million points these are most of the memory that a skeleton takes.
+  /// Positions in the input range, ascending, of the points of this vertex. Each input point
+  /// belongs to at most one vertex, an outlier to none. As wide as an index of a `Point_set_3`:
+  /// with ten million points they take most of the memory of a skeleton.
   std::vector<std::uint32_t> indices;
 };
 
 /// A curve skeleton: an undirected BGL graph with the same layout as
 /// `Mean_curvature_flow_skeletonization::Skeleton`, so that `skeleton[v].point` and
-/// `split_graph_into_polylines()` work on either.
+/// `split_graph_into_polylines()` work on both.
 template <typename GeomTraits>
 using Curve_skeleton_3 = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS,
                                                Curve_skeleton_vertex_3<GeomTraits>>;

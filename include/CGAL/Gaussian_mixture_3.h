@@ -11,15 +11,15 @@
 
 namespace CGAL {
 
-/// One anisotropic Gaussian of a mixture: a small surface patch of the input.
+/// An anisotropic Gaussian of a mixture: a small surface patch of the input.
 template <typename GeomTraits>
 struct Gaussian_component_3
 {
   using FT = typename GeomTraits::FT;
   using Point_3 = typename GeomTraits::Point_3;
 
-  /// Number of input points the component stands for; fractional after expectation maximization,
-  /// and divided by the local density in the published method. > 0.
+  /// Number of input points of the component, > 0; fractional after expectation maximization, and
+  /// divided by the local density in the published method.
   FT weight = 0;
 
   /// Mean, in the coordinates of the input.
@@ -42,11 +42,11 @@ struct Gaussian_mixture_3
 
   std::vector<Level> levels;
 
-  /// Edge length of the grid cells whose points are the components of the finest level, in the unit of
-  /// the input; 0 if they are not the points of cells.
+  /// Edge length of the grid cells that are the components of the finest level, in the unit of the
+  /// input; 0 if they are not grid cells.
   typename GeomTraits::FT cell_size = 0;
 
-  /// The bounding box of the points, from whose centre the grid is laid out; empty if it is not known.
+  /// The bounding box of the points, whose centre is the origin of the grid; empty if unknown.
   Bbox_3 bbox;
 };
 

@@ -23,18 +23,18 @@ namespace CGAL {
 template <typename Traits, typename ConcurrencyTag>
 class L1_medial_skeletonization_3;
 
-/// Takes the points of a cloud chunk after chunk and keeps their moments only, so that a cloud
-/// larger than memory can be skeletonised: give it to `extract_l1_medial_skeleton()`,
+/// Takes the points of a cloud chunk after chunk and stores their moments only, so that a cloud
+/// larger than memory can be skeletonised: pass it to `extract_l1_medial_skeleton()`,
 /// `L1_medial_skeletonization_3` or `fit_gaussian_mixture()` in place of the points.
 ///
-/// The moments are those of the cells of a grid over a given box. When more than a bounded number
-/// is occupied, 2 x 2 x 2 become one, which is exact; so memory is bounded, by about 100 MB,
-/// whatever the number of points.
+/// The moments are those of the cells of a grid over a given box. When more than 192 000 cells are
+/// occupied, 2 x 2 x 2 are merged into one, which is exact. So memory is bounded by about 100 MB
+/// for any number of points.
 ///
-/// What is inserted into one builder gives the same bits however it is cut into chunks. If the box is
-/// the bounding box of the points, these are, but for rounding, the moments of the whole range given
-/// at once; another order of the points, or merging builders, one per thread or machine, changes
-/// them by rounding only.
+/// The result does not depend on how the points are divided into chunks, bit for bit. If the box is
+/// the bounding box of the points, it has the moments of the whole range given at once, up to
+/// rounding. A different order of the points, or merging builders (one per thread or machine),
+/// changes them by rounding only.
 ///
 /// \tparam Traits a model of `L1MedialSkeletonizationTraits_3`
 template <typename Traits>
@@ -47,17 +47,18 @@ public:
   using FT = typename Traits::FT;
   using Point_3 = typename Traits::Point_3;
 
-  /// \param box contains all points. The bounding box is best, a larger one only makes the finest
-  ///        grid coarser, whose cells are 1/4096 of the diagonal wide. An empty box contains none.
+  /// \param box contains all points, best their bounding box. A larger one gives a coarser grid: no
+  ///        cell is narrower than 1/4096 of the diagonal. An empty box contains no points.
   /// \throws std::invalid_argument if the box is not finite
   explicit Gaussian_mixture_builder_3(const Bbox_3& box)
     : box_(box), normalization_(normalization_of(box))
   {}
 
-  /// Adds the points of a range, which is read once.
+  /// Adds the points of a range, which is read once. O(1) amortised per point.
   /// \param np `point_map`, as for `extract_l1_medial_skeleton()`
   /// \throws std::invalid_argument if a coordinate is not finite or a point outside the box. The
-  ///         message names the point, counted from the first one inserted; those before it are in.
+  ///         message names the point by its number in the order of insertion; the points before it
+  ///         stay inserted.
   template <typename PointRange, typename NamedParameters = parameters::Default_named_parameters>
   void insert(const PointRange& points, const NamedParameters& np = parameters::default_values())
   {
@@ -84,7 +85,7 @@ public:
     ++number_of_points_;
   }
 
-  /// Adds the points of another builder.
+  /// Adds the points of another builder. O(cells).
   /// \pre `other` has the same box
   void merge(const Gaussian_mixture_builder_3& other)
   {

@@ -6,16 +6,16 @@
 
 namespace CGAL {
 
-/// A point of the input that the published method moved to the middle of the shape. Lengths in the unit
-/// of the input.
+/// A point of the input that the published method moved to the middle of the shape. Lengths are in
+/// the unit of the input.
 template <typename GeomTraits>
 struct L1_medial_sample_3
 {
   using FT = typename GeomTraits::FT;
   using Point_3 = typename GeomTraits::Point_3;
 
-  Point_3 origin{0, 0, 0}; ///< Where it started: a point of the input.
-  Point_3 point{0, 0, 0};  ///< Where it is.
+  Point_3 origin{0, 0, 0}; ///< Start: a point of the input.
+  Point_3 point{0, 0, 0};  ///< Final position.
   FT kernel_radius = 0;    ///< Support radius h of its kernel, > 0 (Eq. 10).
   FT radius = 0;           ///< Distance to the nearest component of the mixture.
 };

@@ -25,21 +25,21 @@ namespace CGAL {
 template <typename Traits>
 class Gaussian_mixture_builder_3;
 
-/// The curve skeleton of a point set, step by step.
+/// Computes the curve skeleton of a point set, step by step.
 ///
-/// Owns every intermediate result, so that each can be read. `run()` does all steps; or call
-/// `fit_mixture()`, `project()` and `link()` in this order and look at what they leave.
+/// Stores all intermediate results. `run()` does all steps; or call `fit_mixture()`, `project()`
+/// and `link()` in this order and read their results.
 ///
-/// Takes noise and outliers off, reads what is left as the oriented patches of a surface, puts a sample
-/// in the medial ball of every patch, and cuts the surface along local separators, rings of patches
-/// around limbs (Baerentzen and Rotenberg 2021). Separators and the pieces between them are connected as
-/// they are on the surface, so loops survive. `Published_l1_medial_skeletonization_3` is the method of
-/// Lengauer, Houska and Preiner.
+/// Removes noise and outliers, makes the rest the oriented patches of a surface, places a sample at
+/// the centre of the medial ball of each patch, and cuts the surface along local separators, rings
+/// of patches around limbs (Baerentzen and Rotenberg 2021). Separators and the pieces between them
+/// are connected as on the surface, so cycles are preserved.
+/// `Published_l1_medial_skeletonization_3` is the method of Lengauer, Houska and Preiner.
 ///
 /// \tparam Traits a model of `L1MedialSkeletonizationTraits_3`: any CGAL kernel with inexact
 ///         constructions over `float` or `double`
-/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (needs TBB) or `Parallel_if_available_tag`;
-///         the result does not depend on it, bit for bit
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (needs TBB) or
+///         `Parallel_if_available_tag`; the result does not depend on it, bit for bit
 template <typename Traits, typename ConcurrencyTag = Sequential_tag>
 class L1_medial_skeletonization_3
 {
@@ -54,7 +54,7 @@ public:
   using Samples = Medial_samples_3<Traits>;
   using Skeleton = Curve_skeleton_3<Traits>;
 
-  /// Refers to the points, which have to stay as they are until `fit_mixture()` has read them. See
+  /// Refers to the points, which must not change until `fit_mixture()` returns. See
   /// `extract_l1_medial_skeleton()` for the named parameters.
   template <typename PointRange, typename NamedParameters = parameters::Default_named_parameters>
   explicit L1_medial_skeletonization_3(const PointRange& points,
@@ -76,8 +76,8 @@ public:
     }
   }
 
-  /// Of points that were streamed. The skeleton then names no input points: all `indices` are empty.
-  /// Refers to the builder until `fit_mixture()` has read it.
+  /// For the points of a builder, which must not change until `fit_mixture()` returns. All
+  /// `indices` of the skeleton are empty.
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit L1_medial_skeletonization_3(const Gaussian_mixture_builder_3<Traits>& points,
                                        const NamedParameters& np = parameters::default_values())
@@ -88,7 +88,8 @@ public:
     };
   }
 
-  /// Step 1: points to a Gaussian mixture. \returns `false` if the callback cancelled
+  /// Step 1: fits a Gaussian mixture to the points, which are read three times. O(n).
+  /// \returns `false` if the callback cancelled
   /// \throws std::invalid_argument if a coordinate is not finite; the message names the point
   bool fit_mixture()
   {
@@ -99,7 +100,9 @@ public:
     });
   }
 
-  /// Step 2: samples to the middle of the shape. \returns `false` if the callback cancelled
+  /// Step 2: removes noise, builds the surface and computes medial samples. O(m log m) for m
+  /// components.
+  /// \returns `false` if the callback cancelled
   /// \pre `fit_mixture()` returned `true`
   bool project()
   {
@@ -110,7 +113,8 @@ public:
     });
   }
 
-  /// Step 3: samples to a graph. \returns `false` if the callback cancelled
+  /// Step 3: links the samples to a curve skeleton. O(m log m) in practice for m samples.
+  /// \returns `false` if the callback cancelled
   /// \pre `project()` returned `true`
   bool link()
   {
@@ -130,24 +134,24 @@ public:
     return Point_set_skeletonization_3::internal::to_public<Traits>(skeletonizer_.mixture());
   }
 
-  /// The samples of step 2, in the coordinates of the input: one for every patch of the surface, which
-  /// are fewer than components where noise or outliers were taken off.
+  /// The samples of step 2, in the coordinates of the input: one per patch of the surface. With
+  /// noise or outliers there are fewer than components.
   Samples samples() const
   {
     return Point_set_skeletonization_3::internal::to_public<Traits>(skeletonizer_.samples());
   }
 
-  /// Number of components of the mixture that step 2 reads, those of the finest level.
+  /// Number of components of the finest level of the mixture, the input of step 2.
   std::size_t number_of_components() const { return skeletonizer_.number_of_components(); }
 
   /// Number of samples.
   std::size_t number_of_samples() const { return skeletonizer_.number_of_samples(); }
 
-  /// Number of input points that belong to no vertex: isolated ones, the thin tail of noise, and
+  /// Number of input points that belong to no vertex: isolated points, the tail of the noise, and
   /// clusters too small to be part of the shape.
   std::size_t number_of_outliers() const { return skeletonizer_.number_of_outliers(); }
 
-  /// Replaces `skeleton` by the result of step 3.
+  /// Replaces `skeleton` by the result of step 3. O(n).
   /// \tparam SkeletonGraph `Skeleton`, or a BGL adjacency list whose vertex bundle has `.point` and
   ///         `.radius`. It may have `.indices`, a vector of integers; without, a large cloud takes
   ///         less memory.
@@ -162,8 +166,8 @@ public:
       [this](const Index_lists& lists) { skeletonizer_.fill_point_indices(lists); }, skeleton);
   }
 
-  /// The same of an object that is not needed any longer, `std::move(skeletonization)`: what it keeps
-  /// of the points makes room for the indices.
+  /// The same for an object that is no longer needed, `std::move(skeletonization)`: its memory is
+  /// reused for the indices.
   /// \post the object can only be destroyed
   template <typename SkeletonGraph>
   void extract_skeleton(SkeletonGraph& skeleton) &&
@@ -177,7 +181,7 @@ public:
   }
 
 private:
-  /// What all constructors share.
+  /// The common part of the constructors.
   template <typename NamedParameters>
   L1_medial_skeletonization_3(const NamedParameters& np, int)
     : steps_(Point_set_skeletonization_3::internal::progress_of(np)),
@@ -190,13 +194,13 @@ private:
       "unknown named parameter: known are point_map, geom_traits, callback, single_component");
   }
 
-  /// Where the progress is after step 2.
+  /// Progress after step 2.
   double half() const { return reading_share_ + 0.45 * (1 - reading_share_); }
 
   Point_set_skeletonization_3::internal::Steps steps_;
   Skeletonizer skeletonizer_;
   std::function<void(Skeletonizer&, const Progress&)> fit_;
-  double reading_share_ = 0; ///< Of the time of all steps, about.
+  double reading_share_ = 0; ///< Approximate share of step 1 in the running time.
 };
 
 } // namespace CGAL

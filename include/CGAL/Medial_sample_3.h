@@ -14,38 +14,36 @@
 
 namespace CGAL {
 
-/// A patch of the surface, and where it moved to in the middle of the shape.
+/// A patch of the surface, and its point in the middle of the shape.
 template <typename GeomTraits>
 struct Medial_sample_3
 {
-  /// The patch: the number of its points, their mean once noise is taken off, and the covariance of
-  /// what was merged into the patch (zero for a single component).
+  /// The patch: the number of its points, their mean after denoising, and the covariance of the
+  /// components merged into it (zero for a single one).
   Gaussian_component_3<GeomTraits> patch;
 
-  /// Where the sample is, in the coordinates of the input.
+  /// Position of the sample, in the coordinates of the input.
   typename GeomTraits::Point_3 point{0, 0, 0};
 
-  /// Distance to the nearest patch that the sample sees from inside, in the unit of the input; >= 0,
-  /// and 0 if it sees none.
+  /// Distance to the nearest patch visible from inside, in the unit of the input; 0 if none is.
   typename GeomTraits::FT radius = 0;
 };
 
-/// The samples of a shape, as `compute_medial_samples()` leaves them and `link_medial_samples()` takes
-/// them; data only.
+/// The samples of a shape, from `compute_medial_samples()` and for `link_medial_samples()`; data
+/// only.
 template <typename GeomTraits>
 struct Medial_samples_3
 {
   std::vector<Medial_sample_3<GeomTraits>> samples;
 
-  /// The bounding box of the points; empty if it is not known.
+  /// The bounding box of the points; empty if unknown.
   Bbox_3 bbox;
 
-  /// How much noise was taken off the patches, in [0, 1]; 0 if their means lie on the surface as it was
-  /// read.
+  /// Strength of the noise removed from the patches, in [0, 1]; 0 if they were not moved.
   typename GeomTraits::FT noise = 0;
 
-  /// Points of the surface as it was read, noise and all, each with the position of its sample in
-  /// `samples`; in any order. If there are none the means of the patches take their place.
+  /// Surface points before denoising, each with the position of its sample in `samples`; in any
+  /// order. If there are none, the means of the patches are used.
   std::vector<std::pair<typename GeomTraits::Point_3, std::size_t>> surface;
 };
 

@@ -21,17 +21,17 @@
 
 namespace CGAL {
 
-/// The method of Lengauer, Houska and Preiner as published, step by step: the reference that
-/// `L1_medial_skeletonization_3` is measured against, and of the same shape.
+/// Computes a curve skeleton by the method of Lengauer, Houska and Preiner as published, step by
+/// step: the reference for `L1_medial_skeletonization_3`, with the same interface.
 ///
-/// Hierarchical expectation maximization from the points' nearest neighbours, samples drawn from the
-/// points and moved to the L1-medians of the mixture with kernels that grow, Algorithm 1 of the paper.
-/// The result is always a tree.
+/// Hierarchical expectation maximization from the nearest neighbours of the points; samples drawn
+/// from the points and moved to L1-medians of the mixture with growing kernels; Algorithm 1 of the
+/// paper. The result is always a tree.
 ///
 /// \tparam Traits a model of `L1MedialSkeletonizationTraits_3`: any CGAL kernel with inexact
 ///         constructions over `float` or `double`
-/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (needs TBB) or `Parallel_if_available_tag`;
-///         the result does not depend on it, bit for bit
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (needs TBB) or
+///         `Parallel_if_available_tag`; the result does not depend on it, bit for bit
 template <typename Traits, typename ConcurrencyTag = Sequential_tag>
 class Published_l1_medial_skeletonization_3
 {
@@ -46,7 +46,7 @@ public:
   using Sample = L1_medial_sample_3<Traits>;
   using Skeleton = Curve_skeleton_3<Traits>;
 
-  /// Refers to the points, which have to stay as they are until `fit_mixture()` has read them. See
+  /// Refers to the points, which must not change until `fit_mixture()` returns. See
   /// `extract_published_l1_medial_skeleton()` for the named parameters.
   template <typename PointRange, typename NamedParameters = parameters::Default_named_parameters>
   explicit Published_l1_medial_skeletonization_3(
@@ -74,7 +74,8 @@ public:
     }
   }
 
-  /// Step 1: points to a hierarchy of mixtures. \returns `false` if the callback cancelled
+  /// Step 1: fits a hierarchy of mixtures to the points.
+  /// \returns `false` if the callback cancelled
   /// \throws std::invalid_argument if a coordinate is not finite; the message names the point
   bool fit_mixture()
   {
@@ -85,7 +86,8 @@ public:
     });
   }
 
-  /// Step 2: samples to the L1-medians of the mixture. \returns `false` if the callback cancelled
+  /// Step 2: moves samples to L1-medians of the mixture.
+  /// \returns `false` if the callback cancelled
   /// \pre `fit_mixture()` returned `true`
   bool project()
   {
@@ -96,7 +98,8 @@ public:
     });
   }
 
-  /// Step 3: samples to a tree. \returns `false` if the callback cancelled
+  /// Step 3: links the samples to a tree.
+  /// \returns `false` if the callback cancelled
   /// \pre `project()` returned `true`
   bool link()
   {
@@ -116,7 +119,7 @@ public:
     return Point_set_skeletonization_3::internal::to_public<Traits>(skeletonizer_.mixture());
   }
 
-  /// The samples of step 2, in the coordinates of the input: some of the points.
+  /// The samples of step 2, a subset of the points, in the coordinates of the input.
   std::vector<Sample> samples() const
   {
     namespace internal = Point_set_skeletonization_3::internal;
@@ -127,16 +130,16 @@ public:
     return result;
   }
 
-  /// Number of components of the mixture that step 2 reads, those of the coarsest level.
+  /// Number of components of the coarsest level of the mixture, the input of step 2.
   std::size_t number_of_components() const { return skeletonizer_.number_of_components(); }
 
   /// Number of samples.
   std::size_t number_of_samples() const { return skeletonizer_.number_of_samples(); }
 
-  /// Number of iterations of step 2, which is fixed.
+  /// Fixed number of iterations of step 2.
   std::size_t number_of_iterations() const { return number_of_iterations_; }
 
-  /// Replaces `skeleton` by the result of step 3; as `L1_medial_skeletonization_3::extract_skeleton()`.
+  /// Replaces `skeleton` by the result of step 3; see `L1_medial_skeletonization_3`.
   /// \throws std::length_error if the points outnumber the values of an index
   /// \pre `link()` returned `true`
   template <typename SkeletonGraph>

@@ -15,17 +15,19 @@
 
 namespace CGAL {
 
-/// Stage 2 alone: the components of the finest level of a mixture to samples in the middle of the shape,
-/// as `L1_medial_skeletonization_3::project()` does. Noise and outliers are taken off, what is left are
-/// the patches of a surface, and the sample of a patch is the centre of the ball that touches the patch
-/// and patches that face it. O(n log n).
+/// Stage 2 alone: computes medial samples from the components of the finest level of a mixture, as
+/// `L1_medial_skeletonization_3::project()` does. Noise and outliers are removed; what remains are
+/// the patches of a surface. The sample of a patch is the centre of the ball that touches it and
+/// patches that face it. O(n log n).
 ///
 /// \param mixture a mixture of a surface, from `fit_gaussian_mixture()` or elsewhere. With noise,
-///        components that come to lie within one `cell_size` are merged; none are if that is 0
+///        components that move into one cell of edge length `cell_size` are merged; none are if it
+///        is 0
 /// \param samples replaced by the result; left untouched if the callback cancels or on an exception
 /// \param np `callback`; see `extract_l1_medial_skeleton()`
 /// \returns `false` if the callback cancelled
-/// \throws std::invalid_argument if a mean is not finite; the message names the component as a point
+/// \throws std::invalid_argument if a mean is not finite; the message names the component as a
+///         point
 template <typename ConcurrencyTag = Sequential_tag, typename GeomTraits,
           typename NamedParameters = parameters::Default_named_parameters>
 bool compute_medial_samples(const Gaussian_mixture_3<GeomTraits>& mixture,

@@ -9,23 +9,27 @@
 namespace CGAL {
 
 /// Extracts the curve skeleton of a point set by the method of Lengauer, Houska and Preiner as
-/// published, for comparison; see `Published_l1_medial_skeletonization_3`. The result is always a tree.
+/// published, for comparison; see `Published_l1_medial_skeletonization_3`. The result is always a
+/// tree.
 ///
 /// Template parameters, points and skeleton are as for `extract_l1_medial_skeleton()`.
 ///
 /// \param points the points; none gives an empty skeleton
-/// \param skeleton replaced by the result; left untouched if the callback cancels or on an exception
+/// \param skeleton replaced by the result; left untouched if the callback cancels or on an
+///        exception
 /// \param np
 ///   \cgalNamedParamsBegin
 ///     \cgalParamNBegin{point_map} \cgalParamDescription{gives the `Point_3` of an element}
 ///       \cgalParamDefault{`Identity_property_map`} \cgalParamNEnd
 ///     \cgalParamNBegin{geom_traits} \cgalParamDescription{a model of
-///       `L1MedialSkeletonizationTraits_3`} \cgalParamDefault{the kernel of the points} \cgalParamNEnd
-///     \cgalParamNBegin{callback} \cgalParamDescription{called with the progress in [0, 1], from the
-///       calling thread; returning `false` cancels} \cgalParamType{`std::function<bool(double)>`}
-///       \cgalParamDefault{none} \cgalParamNEnd
-///     \cgalParamNBegin{number_of_iterations} \cgalParamDescription{of the projection, a fixed number;
-///       the paper uses 20 to 30} \cgalParamType{`std::size_t`} \cgalParamDefault{30} \cgalParamNEnd
+///       `L1MedialSkeletonizationTraits_3`} \cgalParamDefault{the kernel of the points}
+///       \cgalParamNEnd
+///     \cgalParamNBegin{callback} \cgalParamDescription{called with the progress in [0, 1],
+///       from the calling thread; returning `false` cancels}
+///       \cgalParamType{`std::function<bool(double)>`} \cgalParamDefault{none} \cgalParamNEnd
+///     \cgalParamNBegin{number_of_iterations} \cgalParamDescription{of the projection, a fixed
+///       number; the paper uses 20 to 30} \cgalParamType{`std::size_t`} \cgalParamDefault{30}
+///       \cgalParamNEnd
 ///     \cgalParamNBegin{random_seed} \cgalParamDescription{of the parents of the mixture and of the
 ///       samples: equal seeds, equal results} \cgalParamType{`unsigned int`} \cgalParamDefault{0}
 ///       \cgalParamNEnd

@@ -8,14 +8,14 @@
 
 namespace CGAL {
 
-/// Stage 1 alone: fits a hierarchy of Gaussian mixtures to a point set. The finest level holds the
-/// moments of the cells of a grid, every next level those of cells twice as wide: linear time; mass,
-/// mean and covariance are exact.
+/// Stage 1 alone: fits a hierarchy of Gaussian mixtures to a point set. The components of the
+/// finest level are the moments of the points in the cells of a grid; each further level has cells
+/// of twice the width. Weight, mean and covariance are exact. O(n).
 ///
 /// Template and named parameters as for `extract_l1_medial_skeleton()`: `point_map`, `geom_traits`,
 /// `callback`.
 /// \returns the mixture, in the coordinates of the input; without levels if there are no points or
-///          the callback cancelled
+///   the callback cancelled
 /// \throws std::invalid_argument if a coordinate is not finite; the message names the point
 template <typename ConcurrencyTag = Sequential_tag, typename PointRange,
           typename NamedParameters = parameters::Default_named_parameters>
@@ -27,7 +27,7 @@ auto fit_gaussian_mixture(const PointRange& points,
   return skeletonization.fit_mixture() ? skeletonization.mixture() : Gaussian_mixture_3<Traits>();
 }
 
-/// The same of points that were streamed. Named parameter is `callback`.
+/// The same for the points of a builder. The named parameter is `callback`.
 template <typename ConcurrencyTag = Sequential_tag, typename Traits,
           typename NamedParameters = parameters::Default_named_parameters>
 Gaussian_mixture_3<Traits>

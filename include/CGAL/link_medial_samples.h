@@ -19,20 +19,22 @@
 
 namespace CGAL {
 
-/// Stage 3 alone: samples in the middle of the shape to a curve skeleton, as
-/// `L1_medial_skeletonization_3::link()` does. The patches of the samples are read as a surface, which
-/// is cut along local separators; its pieces become a graph, and that is centred. O(n log n) in practice.
+/// Stage 3 alone: links medial samples to a curve skeleton, as
+/// `L1_medial_skeletonization_3::link()` does. The surface of the patches of the samples is cut
+/// along local separators; separators and pieces become a graph, which is pruned and centred.
+/// O(n log n) in practice.
 ///
-/// \param samples from `compute_medial_samples()`, or made elsewhere: of every sample the mean and the
-///        weight of its patch, its point and its radius
-/// \param skeleton replaced by the result; left untouched if the callback cancels or on an exception. The
-///        `indices` of a vertex, if it has them, are the positions in `samples.samples` of the samples
-///        that it stands for
+/// \param samples from `compute_medial_samples()` or elsewhere: of each sample the mean and the
+///        weight of its patch, its point and its radius are used
+/// \param skeleton replaced by the result; left untouched if the callback cancels or on an
+///        exception. The `indices` of a vertex, if it has them, are the positions of its samples in
+///        `samples.samples`
 /// \param np `callback`, `single_component`; see `extract_l1_medial_skeleton()`
 /// \returns `false` if the callback cancelled
 /// \throws std::invalid_argument if a mean is not finite; the message names the sample as a point
 /// \throws std::length_error if the samples outnumber the values of an index
-/// \pre `samples.noise` is in [0, 1], and `samples.surface` names no sample that is not there
+/// \pre `samples.noise` is in [0, 1], and the indices in `samples.surface` are less than the number
+///   of samples
 template <typename ConcurrencyTag = Sequential_tag, typename GeomTraits, typename SkeletonGraph,
           typename NamedParameters = parameters::Default_named_parameters>
 bool link_medial_samples(const Medial_samples_3<GeomTraits>& samples, SkeletonGraph& skeleton,

@@ -24,22 +24,22 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// What a Gaussian window on the mixture shows around a place. Linearity and sphericity are eigenvalue
-/// features as in the point-cloud literature, here as ratios of neighbouring eigenvalues: a window cuts
-/// off what is long, so the largest one alone says little.
+/// Features of the mixture in a Gaussian window around a place. Linearity and sphericity are
+/// eigenvalue features as in the literature on point clouds, but as ratios of neighbouring
+/// eigenvalues: a window truncates long shapes, so the largest eigenvalue alone says little.
 struct Local_shape
 {
   Vector3 mean = Vector3::Zero();
   Vector3 normal = Vector3::UnitZ();
-  Vector3 axis = Vector3::UnitX(); ///< Of the largest variance.
-  double linearity = 0;            ///< In [0, 1]: 0 not twice as long as wide, 1 a line.
-  double density = 0;    ///< Weight in the window over its area.
-  double sphericity = 1; ///< The smallest principal variance over the next: 0 a plane, 1 a blob.
-  double thickness = 0;  ///< Square root of the smallest principal variance.
+  Vector3 axis = Vector3::UnitX(); ///< Direction of the largest variance.
+  double linearity = 0;            ///< In [0, 1]: 0 if not twice as long as wide, 1 for a line.
+  double density = 0;    ///< Weight in the window over its squared radius.
+  double sphericity = 1; ///< Smallest over middle variance: 0 for a plane, 1 for a ball.
+  double thickness = 0;  ///< Standard deviation along the normal.
 };
 
-/// `exp(32 x)` of every element, to nine digits for -1/7 <= x <= 0, in less than half the time of
-/// `exp()`: its Taylor polynomial at x, squared five times. Refers to the argument.
+/// Returns `exp(32 x)` of each element, to nine digits for -1/7 <= x <= 0, in less than half the
+/// time of `exp()`: a Taylor polynomial, squared five times. The result refers to `x`.
 template <typename Array>
 auto exponential_of_32_times(const Array& x)
 {
@@ -49,7 +49,7 @@ auto exponential_of_32_times(const Array& x)
   return polynomial.square().square().square().square().square();
 }
 
-/// A mixture with the tree over its means; copies share both.
+/// A mixture with a tree over its means; copies share both.
 class Mixture_tree
 {
 public:
@@ -65,10 +65,10 @@ public:
 
   const Box_tree& tree() const { return tree_; }
 
-  /// The `k`-th in the order of the tree.
+  /// The `k`-th component in the order of the tree.
   const Gaussian& operator[](std::size_t k) const { return (*components_)[tree_.order()[k]]; }
 
-  /// All in that order.
+  /// All components in that order.
   Gaussians in_order() const
   {
     Gaussians result;
@@ -83,8 +83,8 @@ private:
   Box_tree tree_;
 };
 
-/// The mixture seen through windows of one size around the points of a small box: what they may see
-/// is looked for once.
+/// The mixture in windows of one radius around the places in a small box: the components within
+/// reach are collected once.
 class Window_view
 {
 public:
@@ -117,10 +117,10 @@ public:
     near_.resize(size);
   }
 
-  /// Weight in the window around a place over its area.
+  /// Weight in the window around `q` over its squared radius. \pre `q` is in the box
   double density(const Vector3& q) { return moments(q)[0] / (radius_ * radius_); }
 
-  /// What the window around a place shows.
+  /// Features of the window around `q`. \pre `q` is in the box
   Local_shape shape(const Vector3& q)
   {
     const Moments::Array sum = moments(q);
@@ -141,16 +141,16 @@ public:
       fit.linearity = std::max(0.0, 1 - 4 * variance[1] / variance[2]);
     fit.thickness = std::sqrt(variance[0]);
     fit.density = sum[0] / (radius_ * radius_);
-    // A line, to rounding, is as rough as a blob: it has no normal.
+    // A line, up to rounding, has no normal: its sphericity stays 1.
     if(variance[1] > 1e-10 * variance[2])
       fit.sphericity = variance[0] / variance[1];
     return fit;
   }
 
-  static constexpr double reach = 1.5; ///< In radii: where the window has fallen to 1 %.
+  static constexpr double reach = 1.5; ///< Radii; there the window has fallen to 1 %.
 
 private:
-  /// Those of what is in the window around a place, about the origin.
+  /// Moments of the mixture in the window around `q`, about the origin.
   Moments::Array moments(const Vector3& q)
   {
     const Vector3 d = q - origin_;
@@ -159,7 +159,7 @@ private:
     const double squared_reach = reach * reach * radius_ * radius_;
     const Eigen::Index all = near_.size();
     Eigen::Index size = 0;
-    for(Eigen::Index i = 0; i < all; ++i) { // without a branch, which nobody could predict
+    for(Eigen::Index i = 0; i < all; ++i) { // branchless: the result is unpredictable
       const double squared_distance = squared_distances_[i];
       weights_[size] = squared_distance;
       near_[size] = i;
@@ -182,20 +182,21 @@ private:
   Eigen::Array<Eigen::Index, Eigen::Dynamic, 1> near_;
 };
 
-/// The mixture for windows of one size, at a resolution that fits.
+/// The mixture for windows of one radius, coarsened to a third of it.
 class Mixture_window
 {
 public:
   Mixture_window(const Mixture_tree& finest, double spacing, double radius, Concurrency concurrency)
     : radius_(radius), components_(finest)
   {
-    constexpr double resolution = 1.0 / 3; // of the radius: two dozen components in a window
+    constexpr double resolution = 1.0 / 3; // radii: two dozen components in a window
     if(!(resolution * radius > spacing))
       return;
     components_ =
       Mixture_tree(merged_by_cell(finest.in_order(), resolution * radius).gaussians, concurrency);
   }
 
+  /// The windows around the places in a box.
   Window_view around(const Eigen::AlignedBox3d& box) const { return {components_, radius_, box}; }
 
 private:

@@ -19,12 +19,12 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Radii of the windows through which a mixture is looked at.
+/// Radii of the windows, ascending.
 struct Window_radii
 {
   static constexpr std::size_t size = 6;
 
-  /// From two spacings, the narrowest window with a plane in it, by steps of 1.4.
+  /// From two spacings, the narrowest window that shows a plane, in steps of 1.4.
   explicit Window_radii(double spacing)
   {
     for(std::size_t k = 0; k < size; ++k)
@@ -36,26 +36,27 @@ struct Window_radii
   std::array<double, size> radii;
 };
 
-/// Where the components of a mixture are, and which of them were dropped.
+/// Current positions of the components of a mixture, and which of them were dropped.
 struct Moving_mixture
 {
   const Gaussians& mixture;
-  std::vector<Vector3> positions; ///< Of every component.
+  std::vector<Vector3> positions; ///< Of each component.
   std::vector<bool> is_outlier;
 };
 
-/// A mixture seen through windows of six sizes, as it is at one time.
+/// A mixture in windows of six radii, at one state of its positions.
 class Scale_space
 {
 public:
-  /// Of a mixture from which nothing was dropped or moved; `tree` is over its means. Refers to it.
+  /// For a mixture of which nothing was moved or dropped; `tree` is over its means. Refers to the
+  /// mixture.
   Scale_space(const Gaussians& mixture, const Box_tree& tree, double spacing,
               Concurrency concurrency)
     : radii_(spacing), spacing_(spacing), concurrency_(concurrency), finest_(&mixture, tree),
       kept_(tree.order())
   {}
 
-  /// Of what is left of a mixture.
+  /// For the remaining components of a mixture. O(n log n).
   Scale_space(const Moving_mixture& moving, double spacing, Concurrency concurrency)
     : radii_(spacing), spacing_(spacing), concurrency_(concurrency),
       finest_(left_of(moving), concurrency)
@@ -68,20 +69,20 @@ public:
       kept_.push_back(left[k]);
   }
 
-  /// Over the components that are left.
+  /// Tree over the remaining components.
   const Box_tree& tree() const { return finest_.tree(); }
 
-  /// Their indices, in the order of the tree.
+  /// Indices of the remaining components, in the order of the tree.
   const std::vector<std::size_t>& kept() const { return kept_; }
 
-  /// Makes the window of one size; the following see those only that were made.
+  /// Makes the windows of one size (an index of `Window_radii`), for `for_each()`. O(n log n).
   void make_window(std::size_t size)
   {
     if(!windows_[size])
       windows_[size].emplace(finest_, spacing_, radii_[size], concurrency_);
   }
 
-  /// The windows around the points of a box.
+  /// The windows around the places in a box, by size. \pre `make_window()` was called for the size
   class Views
   {
   public:
@@ -100,11 +101,11 @@ public:
     std::array<std::optional<Window_view>, Window_radii::size> views_;
   };
 
-  /// Calls `visit(i, views)` for every component that is left.
+  /// Calls `visit(i, views)` for each remaining component, possibly concurrently.
   template <typename Visit>
   void for_each(const Visit& visit) const
   {
-    constexpr std::size_t most = 64; // components: about as many as one of them sees
+    constexpr std::size_t most = 64; // components: about as many as in one window
     std::vector<std::size_t> groups;
     for(std::size_t n = 0; n < tree().nodes().size();) {
       const Box_tree::Node& node = tree().nodes()[n];
@@ -122,6 +123,7 @@ public:
   }
 
 private:
+  /// The remaining components at their current positions.
   static Gaussians left_of(const Moving_mixture& moving)
   {
     Gaussians result;

@@ -26,36 +26,37 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// How noise and outliers are told from the surface.
+/// Options of part 2a: what is noise and what is an outlier.
 struct Consolidation_options
 {
   Noise_options noise;
 
-  /// Median spacings; a component whose neighbours are further away is an outlier. Density falls by
-  /// the square root of 8 in spacing over a badly sampled shape, and outliers are spread in space, not
-  /// on a surface.
+  /// Median spacings, > 1; a component whose fourth neighbour is further away is an outlier. On a
+  /// badly sampled shape the spacing varies by the square root of 8; outliers are spread in space,
+  /// not on a surface.
   double isolated = 3;
 
-  /// Share of the highest density around below which a component is dropped: the tail of Gaussian
-  /// noise from 1.6 standard deviations on.
+  /// Share of the highest density nearby, in (0, 1), below which a component is dropped: the tail
+  /// of Gaussian noise beyond 1.6 standard deviations.
   double thin = 0.3;
 
-  /// Spacings of a component that its window is wide at least: where points are sparse it has to be
-  /// wider to show anything.
+  /// Least radius of the window, in spacings of the component, > 0: sparse points need wider
+  /// windows.
   double sparse = 1.6;
 
-  /// Median spacings; what is further from its neighbours is compared with densities this much further
-  /// away.
+  /// Median spacings, >= 1; a component with a greater spacing is compared with densities up to
+  /// this many times as far away.
   double apart = 1.5;
 
-  /// Sphericity from which on the fitted plane gives way to the mean, and over how much. Halfway
-  /// narrower windows are tried.
+  /// Sphericity above which the mean replaces the fitted plane as target, and the width of the
+  /// transition. From its middle on, narrower windows are tried.
   double plane = 0.1, plane_to_blob = 0.2;
 
-  /// Thickness over that of the noise, over which a limb stops to be drowned in it: its radius is that
-  /// of the noise at 1.2, twice that at 1.7.
+  /// Thickness over that of the noise: up to `drowned` a limb is as thin as the noise, from
+  /// `resolved` on it is not. The radius of a limb is that of the noise at 1.2, twice that at 1.7.
   double drowned = 1.15, resolved = 1.65;
 
+  /// Checks all ranges.
   void check() const
   {
     noise.check();
@@ -81,28 +82,28 @@ struct Consolidation_options
   }
 };
 
-/// A mixture without its noise and outliers: what is left are patches of a surface.
+/// A mixture without noise and outliers: patches of a surface.
 struct Consolidated_mixture
 {
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
   Gaussians patches;
   std::vector<std::size_t> patch_of_component; ///< `none` for outliers.
-  double noise = 0;              ///< In [0, 1]: how much was taken off.
+  double noise = 0;              ///< Strength of the noise removed, in [0, 1].
   Box_tree tree;                 ///< Over the means of the patches.
-  K_nearest_neighbors neighbors; ///< Of the patches, themselves included.
+  K_nearest_neighbors neighbors; ///< Of the patches, each first itself.
 };
 
-/// Moves the components of a mixture to the surface that they scatter around, and drops those that
-/// belong to none.
+/// Moves the components of a mixture to the surface that they scatter around, and drops outliers.
 ///
-/// A component moves to the plane fitted in its window, or in a narrower one where that shows a limb
-/// all around; in a twig as thin as the noise across it to the mean, as mean shift does (Comaniciu and
-/// Meer 2002). Without noise nothing moves.
+/// A component moves to the plane fitted in its window, or in a narrower one if the window contains
+/// a whole limb. In a limb as thin as the noise it moves to the local mean instead, but not along
+/// the limb (mean shift, Comaniciu and Meer 2002). Without noise nothing moves.
 class Consolidation
 {
 public:
-  /// Refers to the mixture, to the tree over its means and to their neighbours, of nine or more.
+  /// `tree` is over the means, `nearest` are nine or more neighbours of each. Refers to all but the
+  /// tree.
   Consolidation(const Gaussians& mixture, const Box_tree& tree, const K_nearest_neighbors& nearest,
                 const Consolidation_options& options, Concurrency concurrency)
     : options_(options), concurrency_(concurrency), tree_(tree), nearest_(nearest),
@@ -111,7 +112,8 @@ public:
       radii_(spacing_), moving_{mixture, means_of(mixture), isolated_components()}
   {}
 
-  /// To be called once. Merges what comes to lie in one cell of this size.
+  /// Returns the patches. Components that move into one cell of this edge length are merged. To be
+  /// called once.
   Consolidated_mixture run(double cell_size)
   {
     Scale_space space = initial_scale_space();
@@ -124,9 +126,9 @@ public:
   }
 
 private:
-  static constexpr int most_passes = 4; // the first halves the noise, the last finds nothing to do
+  static constexpr int most_passes = 4; // the first halves the noise, the last does little
 
-  /// Distance of every component to its fourth neighbour.
+  /// Distance of each component to its fourth nearest neighbour.
   static std::vector<double> spacings(const K_nearest_neighbors& nearest)
   {
     const auto fourth = static_cast<std::ptrdiff_t>(std::min<std::size_t>(4, nearest.k() - 1));
@@ -156,7 +158,7 @@ private:
 
   void take_noise_off(Scale_space space)
   {
-    // If all passes together are half a step, a window shows the same in each of them.
+    // With weak noise one pass is enough: windows would show the same in each pass.
     constexpr double little = 0.5;
     const int passes = most_passes * noise_.strength < little ? 1 : most_passes;
     for(int pass = 0; pass < passes; ++pass) {
@@ -167,13 +169,13 @@ private:
     }
   }
 
-  /// Drops thin components where nothing moves. Returns the tree over what is left.
+  /// Drops thin components without moving any. Returns the tree over the rest.
   Box_tree without_thin_components(Scale_space space)
   {
-    // Only what has seen a component that was dropped is measured again.
+    // Densities are measured again only where a dropped component was in the window.
     std::vector<double> densities = noise_.densities;
     for(std::size_t i = 0; i < densities.size(); ++i)
-      if(size_for(i) > 0) // known in the narrowest window only
+      if(size_for(i) > 0) // measured in the narrowest window only
         densities[i] = unknown;
     for(int pass = 0; pass < most_passes; ++pass) {
       measure_densities(space, densities);
@@ -189,7 +191,7 @@ private:
 
   static constexpr double unknown = -1; // density
 
-  /// The window for a component.
+  /// Index of the window for a component.
   std::size_t size_for(std::size_t i) const
   {
     std::size_t size = noise_.size;
@@ -198,7 +200,7 @@ private:
     return size;
   }
 
-  /// The size of the window for every component that is left. Makes them, and all narrower ones.
+  /// Index of the window for each remaining component. Makes these windows and all narrower ones.
   std::vector<std::size_t> window_sizes(Scale_space& space) const
   {
     std::vector<std::size_t> result(spacings_.size(), 0);
@@ -210,7 +212,8 @@ private:
     return result;
   }
 
-  /// How far a limb that a window shows all around is drowned in the noise, in [0, 1].
+  /// How much a limb that is entirely in a window is hidden by noise, in [0, 1]: 1 if it is as
+  /// thin.
   double drowned(const Local_shape& shape) const
   {
     const double ratio = shape.thickness / noise_.thickness;
@@ -218,8 +221,8 @@ private:
       1.0, std::max(0.0, (options_.resolved - ratio) / (options_.resolved - options_.drowned)));
   }
 
-  /// What a component sees through its window. Where that shows a limb all around, narrower ones are
-  /// tried, as long as they show something flatter.
+  /// Features of the window around a component. If it contains a whole limb, narrower windows are
+  /// tried as long as they are flatter.
   Local_shape shape_through(Scale_space::Views& views, std::size_t size,
                             const Vector3& position) const
   {
@@ -228,26 +231,26 @@ private:
       const Local_shape narrower = views[size].shape(position);
       if(narrower.sphericity > shape.sphericity)
         break;
-      const double density = shape.density; // of windows of one size only, they are compared
+      const double density = shape.density; // densities are comparable within one window size
       shape = narrower;
       shape.density = density;
     }
     return shape;
   }
 
-  /// Moves components by a share of their way to the surface. Returns the densities where they were.
+  /// Moves components by `share` of their way to the surface. Returns the densities before.
   std::vector<double> move(Scale_space& space, double share)
   {
     const std::vector<std::size_t> size = window_sizes(space);
     std::vector<double> densities(spacings_.size(), 0);
     space.for_each([&](std::size_t i, Scale_space::Views& views) {
-      Vector3& position = moving_.positions[i]; // the windows keep the ones before
+      Vector3& position = moving_.positions[i]; // the windows keep the old positions
       const Local_shape shape = shape_through(views, size[i], position);
       densities[i] = shape.density;
       const double blob =
         std::min(1.0, std::max(0.0, (shape.sphericity - options_.plane) / options_.plane_to_blob));
       const Vector3 step = shape.mean - position;
-      // Along a twig nothing moves, or its points would gather in lumps.
+      // Not along a limb, or its components would form clusters.
       const Vector3 across = step - shape.linearity * shape.axis.dot(step) * shape.axis;
       position += share * ((1 - blob) * shape.normal.dot(step) * shape.normal +
                            blob * drowned(shape) * across);
@@ -255,7 +258,7 @@ private:
     return densities;
   }
 
-  /// Measures the densities that are unknown.
+  /// Measures the unknown densities.
   void measure_densities(Scale_space& space, std::vector<double>& densities) const
   {
     const std::vector<std::size_t> size = window_sizes(space);
@@ -268,12 +271,12 @@ private:
     });
   }
 
-  /// Forgets the densities at all places that have seen a component, which was dropped.
+  /// Forgets the densities of components whose windows contained a dropped one.
   void forget_densities_around(std::size_t component, const Scale_space& space,
                                std::vector<double>& densities) const
   {
-    // In windows of coarser components it is part of one up to a cell away.
-    constexpr double sight = Window_view::reach + 0.6; // in radii: the diagonal of 1/3
+    // In a coarsened window it is part of a component up to a cell away.
+    constexpr double sight = Window_view::reach + 0.6; // radii; 0.6: diagonal of a cell of 1/3
     const double farthest = sight * radii_[Window_radii::size - 1];
     space.tree().visit_within(moving_.positions[component], farthest,
                               [&](std::size_t k, double squared_distance) {
@@ -284,8 +287,8 @@ private:
                               });
   }
 
-  /// A thin cloud beside a dense surface is the tail of its noise. Returns what is dropped. `space` is
-  /// of what was left until now.
+  /// Drops components of low density near a dense surface, the tail of its noise, and returns them.
+  /// `space` is of the components before.
   std::vector<std::size_t> drop_thin(const Scale_space& space,
                                      const std::vector<double>& densities)
   {
@@ -294,7 +297,7 @@ private:
     for(std::size_t i : space.kept())
       in_order.push_back(densities[i]);
     const auto at = [&](std::size_t k) { return in_order.begin() + static_cast<std::ptrdiff_t>(k); };
-    std::vector<double> densest; // of every node of the tree
+    std::vector<double> densest; // maximum of each node of the tree
     for(const Box_tree::Node& node : tree.nodes())
       densest.push_back(*std::max_element(at(node.begin), at(node.end)));
     const double thin = options_.thin;
@@ -325,7 +328,7 @@ private:
     return dropped;
   }
 
-  /// A patch for every component that is left, where nothing has moved; `tree` is over them.
+  /// One patch per remaining component, without moves; `tree` is over them.
   Consolidated_mixture kept(const Box_tree& tree) const
   {
     Consolidated_mixture result;
@@ -343,7 +346,7 @@ private:
     return result;
   }
 
-  /// The same where components have moved: those that came to lie in one cell are one patch.
+  /// The same after moves: components in one cell are one patch.
   Consolidated_mixture merged(double cell_size) const
   {
     std::vector<std::size_t> left;
@@ -367,7 +370,7 @@ private:
 
   const Consolidation_options& options_;
   Concurrency concurrency_;
-  Box_tree tree_; ///< Over the mixture as it was read.
+  Box_tree tree_; ///< Over the original mixture.
   const K_nearest_neighbors& nearest_;
   std::vector<double> spacings_;
   double spacing_; ///< The median.
@@ -376,8 +379,8 @@ private:
   Noise noise_;
 };
 
-/// Takes noise and outliers off a mixture. Components that come to lie in one cell of the given size
-/// become one patch. O(n log n).
+/// Part 2a: returns the mixture without noise and outliers. Components that move into one cell of
+/// edge length `cell_size` become one patch; 0: none do. O(n log n). \pre there is a component
 inline Consolidated_mixture consolidate(const Gaussians& mixture, double cell_size,
                                         const Consolidation_options& options,
                                         Concurrency concurrency)

@@ -21,21 +21,22 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// When a mixture counts as noisy. Scatter and sphericity have no unit.
+/// When a mixture is noisy. Scatter and sphericity have no unit.
 struct Noise_options
 {
-  /// Scatter, in radii of the narrowest window, from which on components move; at twice that they move
-  /// all the way. Uneven sampling alone measures up to 0.03, noise of a quarter of the spacing 0.05 and
-  /// more.
+  /// Scatter, in radii of the narrowest window, > 0: components move above it, all the way from
+  /// twice that on. Uneven sampling alone gives up to 0.03, noise of a quarter of the spacing 0.05
+  /// and more.
   double least_scatter = 0.03;
 
-  /// The same of the sphericity in the narrowest window: so much noise that it fills a volume evenly
-  /// has no scatter, but nothing is flat.
+  /// The same for the sphericity in the narrowest window: noise that fills a volume evenly has no
+  /// scatter, but is nowhere flat.
   double least_sphericity = 0.3, full_sphericity = 0.5;
 
-  /// Sphericity below which no wider window is tried: noise of a fifth of the window's radius.
+  /// Sphericity below which no wider window is tried, > 0: noise of a fifth of the radius.
   double flat = 0.15;
 
+  /// Checks all ranges.
   void check() const
   {
     CGAL_precondition(least_scatter > 0);
@@ -54,18 +55,19 @@ struct Noise_options
   }
 };
 
-/// How much noise there is in a mixture.
+/// The noise of a mixture.
 struct Noise
 {
-  double strength = 0;  ///< In [0, 1]: how far components are to be moved; 0 without noise.
-  std::size_t size = 0; ///< Of the window that is wider than the noise and narrower than the limbs.
-  double thickness = 0; ///< Of the noisy surface, one standard deviation.
+  double strength = 0;  ///< In [0, 1]: share of their way that components move.
+  std::size_t size = 0; ///< Index of the window: wider than the noise, narrower than limbs.
+  double thickness = 0; ///< Standard deviation of the noisy surface along its normal.
 
-  /// Weight over area around every component, in the narrowest window.
+  /// Density around each component, in the narrowest window.
   std::vector<double> densities;
 };
 
-/// What a window of one size shows around every `every`-th component; nothing of the others.
+/// Returns the features of windows of one size around each `every`-th component; defaults for the
+/// others.
 inline std::vector<Local_shape> local_shapes(Scale_space& space, const Moving_mixture& moving,
                                              std::size_t size, std::size_t every,
                                              Concurrency concurrency)
@@ -77,7 +79,7 @@ inline std::vector<Local_shape> local_shapes(Scale_space& space, const Moving_mi
       result[i] = views[size].shape(moving.positions[i]);
   };
   space.for_each(look);
-  // An outlier shows what is around it, too.
+  // Outliers are not in `space`, but have windows as well.
   parallel_for(concurrency, moving.mixture.size(), [&](std::size_t i) {
     if(!moving.is_outlier[i])
       return;
@@ -87,9 +89,9 @@ inline std::vector<Local_shape> local_shapes(Scale_space& space, const Moving_mi
   return result;
 }
 
-/// How far components lie off the surface through their neighbours, in the median over the shape, in
-/// radii of the narrowest window. On a curved surface all lie off their fitted plane, and by the same;
-/// only the difference from the neighbours is noise.
+/// Returns the median distance of components from the surface through their neighbours, in radii of
+/// the narrowest window. On a curved surface all components have the same offset from their fitted
+/// planes; only the difference to that of the neighbours is noise. O(n).
 inline double scatter(const std::vector<Local_shape>& narrowest, const Moving_mixture& moving,
                       const K_nearest_neighbors& nearest, double radius, Concurrency concurrency)
 {
@@ -108,15 +110,15 @@ inline double scatter(const std::vector<Local_shape>& narrowest, const Moving_mi
   return quantile(off, 0.5);
 }
 
-/// Measures the noise. Noise makes small windows round, curvature and neighbouring sheets make large
-/// ones round; so the window is the first of a row of sizes whose sphericity is small, or grows with
-/// the next size. What counts is the first quartile over the shape: noise is everywhere, and nearly
-/// every shape is smooth for a quarter. \pre nothing has moved yet
+/// Measures the noise. Noise makes narrow windows spherical; curvature and neighbouring sheets make
+/// wide ones spherical. So the window is the first with a low sphericity, or the last before it
+/// increases. The lower quartile over the shape counts: noise is everywhere, and nearly every shape
+/// is smooth in a quarter of its surface. O(n log n). \pre nothing has moved yet
 inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
                            const K_nearest_neighbors& nearest, const Window_radii& radii,
                            const Noise_options& options, Concurrency concurrency)
 {
-  constexpr std::size_t every = 7; // some hundreds are enough
+  constexpr std::size_t every = 7; // some hundreds of components are enough
   constexpr double quartile = 0.25;
   const auto ramp = [](double value, double least, double full) {
     return (value - least) / (full - least);

@@ -25,6 +25,7 @@ struct Gaussian
 
 using Gaussians = std::vector<Gaussian>;
 
+/// Returns the means, in the same order. O(n).
 inline std::vector<Vector3> means_of(const Gaussians& gaussians)
 {
   std::vector<Vector3> result;

@@ -12,13 +12,13 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Weight, first and second moments of weighted points and Gaussians about an origin that the caller
-/// knows. It should be close to the data: moments about a far origin would cancel. They are numbers
-/// with names, so that a compiler keeps them in registers.
+/// Weight, first and second moments of weighted points and Gaussians about an origin that the
+/// caller knows. It should be close to the data, to avoid cancellation. Scalar members let
+/// compilers keep them in registers.
 class Moments
 {
 public:
-  /// Adds a point that lies `d` from the origin.
+  /// Adds a point at offset `d` from the origin.
   void add(double weight, const Vector3& d)
   {
     const Vector3 weighted = weight * d;
@@ -27,7 +27,7 @@ public:
     add_product(weighted, d);
   }
 
-  /// Adds a Gaussian with this covariance whose mean lies `d` from the origin.
+  /// Adds a Gaussian whose mean is at offset `d` from the origin.
   void add(double weight, const Vector3& d, const Matrix3& covariance)
   {
     add(weight, d);
@@ -39,7 +39,7 @@ public:
     zz_ += weight * covariance(2, 2);
   }
 
-  /// Adds moments about an origin that lies `d` from this one. This is exact but for rounding.
+  /// Adds moments about an origin at offset `d` from this one; exact up to rounding.
   void add(const Moments& other, const Vector3& d)
   {
     const Vector3 first = other.first_ + other.weight_ * d;
@@ -57,7 +57,7 @@ public:
 
   double weight() const { return weight_; }
 
-  /// The Gaussian with these moments; `origin` is what they are about. \pre `weight() > 0`
+  /// Returns the Gaussian with these moments about `origin`. \pre `weight() > 0`
   Gaussian gaussian(const Vector3& origin) const
   {
     const Vector3 d = first_ / weight_;
@@ -66,8 +66,7 @@ public:
     return {weight_, origin + d, second / weight_ - d * d.transpose()};
   }
 
-  /// Weight, first moments and the upper triangle of the second ones in a row, to be added up many at
-  /// a time.
+  /// Weight, first moments and the upper triangle of the second moments, for vectorised sums.
   using Array = Eigen::Matrix<double, 10, 1>;
 
   Array array() const

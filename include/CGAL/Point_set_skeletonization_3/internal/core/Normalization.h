@@ -17,43 +17,45 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The similarity that takes the input's bounding box to one centred at the origin with a diagonal
-/// of length 1, and back. All stages work in these coordinates: neither a geographic offset nor the
-/// unit of length can cost precision or change a result.
+/// The similarity that maps the bounding box of the input to one centred at the origin with a
+/// diagonal of length 1, and its inverse. All stages use these coordinates, so that neither offset
+/// nor unit of the input affects precision or results.
 class Normalization
 {
 public:
   Normalization() = default;
 
-  /// `lower` and `upper` are the corners of the input's bounding box. Halves are subtracted so that
-  /// no box of finite coordinates overflows; a diagonal that does counts as the largest number.
+  /// `lower` and `upper` are the corners of the bounding box of the input. Computes with halves, so
+  /// that no finite box overflows; a diagonal that does counts as the largest number.
   Normalization(const Vector3& lower, const Vector3& upper)
     : lower_(lower), upper_(upper), half_extent_(upper / 2 - lower / 2)
   {
-    // Neither overflows nor, as Eigen's stableNorm() does, depends on where the vector lies in memory.
+    // No overflow, and unlike Eigen's stableNorm() no dependence on memory alignment.
     const double half_diagonal =
       std::hypot(half_extent_.x(), half_extent_.y(), half_extent_.z());
     if(half_diagonal > 0)
       diagonal_ = 2 * std::min(half_diagonal, std::numeric_limits<double>::max() / 2);
   }
 
-  /// The corners of the input's bounding box.
+  /// The corners of the bounding box of the input.
   const Vector3& lower() const { return lower_; }
   const Vector3& upper() const { return upper_; }
 
-  /// Length of the input's bounding box diagonal; 1 if all points are equal.
+  /// Length of the diagonal of the bounding box of the input; 1 if all points are equal.
   double diagonal() const { return diagonal_; }
 
-  /// Relative to a corner of the box first: that difference is exact far from the origin, whereas
-  /// the centre is not, so that the same points elsewhere become the same to the last bit.
+  /// Maps a point to normalised coordinates. Subtracts a corner of the box first: that difference
+  /// is exact far from the origin, unlike that to the centre, so that translated points give the
+  /// same bits.
   Vector3 to_unit(const Vector3& p) const
   {
     return ((p / 2 - lower_ / 2) - half_extent_ / 2) / (diagonal_ / 2);
   }
 
+  /// Maps a point to the coordinates of the input.
   Vector3 from_unit(const Vector3& p) const { return p * diagonal_ + (lower_ + half_extent_); }
 
-  /// A covariance in the input's unit. The factors are applied one after the other: the square of the
+  /// Maps a covariance to the unit of the input, and back. Two factors, as the square of the
   /// diagonal may overflow.
   Matrix3 covariance_from_unit(const Matrix3& c) const { return c * diagonal_ * diagonal_; }
   Matrix3 covariance_to_unit(const Matrix3& c) const { return c / diagonal_ / diagonal_; }
@@ -64,7 +66,7 @@ private:
   double diagonal_ = 1;
 };
 
-/// The bounding box of points; those of parts of the points add up to that of all.
+/// The bounding box of points; boxes of parts can be added up.
 class Extent
 {
 public:

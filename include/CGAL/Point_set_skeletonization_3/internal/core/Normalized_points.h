@@ -19,10 +19,10 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// A block of points, on the stack: there is one for every few hundred points.
+/// A block of points, on the stack: blocks are too small for heap allocations.
 using Point_block = boost::container::static_vector<Vector3, Point_source::block_size>;
 
-/// The points of a block, in the coordinates of the input.
+/// Returns the points of the `b`-th block, in the coordinates of the input. O(block).
 inline Point_block read_block(const Point_source& points, std::size_t b)
 {
   Point_block result(points.size_of_block(b), boost::container::default_init);
@@ -30,7 +30,7 @@ inline Point_block read_block(const Point_source& points, std::size_t b)
   return result;
 }
 
-/// The similarity that normalises a cloud. Reads it once.
+/// Returns the similarity that normalises a cloud, which is read once. O(n).
 /// \throws std::invalid_argument that names the first point with a coordinate that is not finite
 inline Normalization normalization_of(const Point_source& points, Concurrency concurrency,
                                       const Progress& progress = Progress())
@@ -46,7 +46,7 @@ inline Normalization normalization_of(const Point_source& points, Concurrency co
   return extent.normalization();
 }
 
-/// The points of a cloud in normalised coordinates, a block at a time: no copy of all is needed.
+/// The points of a cloud in normalised coordinates, block by block without a copy of all.
 struct Normalized_points
 {
   Point_source source;
@@ -64,13 +64,13 @@ struct Normalized_points
     return result;
   }
 
-  /// Calls `visit(k, i, point)` for the `i`-th point, which is in the `k`-th of `parts` parts of the
-  /// cloud. The parts are visited concurrently, the points of a part in order.
+  /// Calls `visit(k, i, point)` for each point, the `i`-th of the cloud in the `k`-th of `parts`
+  /// parts. Parts are visited concurrently, the points of a part in order. O(n).
   template <typename Visit>
   void visit_parts(std::size_t parts, const Visit& visit, Concurrency concurrency,
                    const Progress& progress) const
   {
-    constexpr std::size_t blocks_of_slice = 1 << 10; // of milliseconds
+    constexpr std::size_t blocks_of_slice = 1 << 10; // a slice takes milliseconds
     const std::size_t slices = 1 + number_of_blocks() / blocks_of_slice;
     for(std::size_t slice = 0; slice < slices; ++slice) {
       parallel_for(concurrency, parts, [&](std::size_t k) {

@@ -21,13 +21,13 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// An object for every thread, as scratch memory for the body of a `parallel_for()`. Which thread's
-/// object it was must not matter to the result.
+/// One object per thread, as scratch memory for the body of a `parallel_for()`. Results must not
+/// depend on which of them is used.
 template <typename Object>
 class Per_thread
 {
 public:
-  /// `make()` makes an object.
+  /// `make()` creates an object.
   Per_thread(Concurrency concurrency, const std::function<Object()>& make)
 #ifdef CGAL_LINKED_WITH_TBB
     : of_threads_(make)
@@ -41,6 +41,7 @@ public:
     only_.emplace(make());
   }
 
+  /// The object of the calling thread.
   Object& local()
   {
 #ifdef CGAL_LINKED_WITH_TBB
@@ -50,7 +51,7 @@ public:
     return *only_;
   }
 
-  /// Calls `visit(object)` for each there is.
+  /// Calls `visit(object)` for each object created so far.
   template <typename Visit>
   void for_each(const Visit& visit)
   {
@@ -68,9 +69,9 @@ private:
 #endif
 };
 
-/// Calls `body(i, value)` for 0 <= i < `size`, where `value` is a copy of `zero`, one for every
-/// thread; `value.add(other)` adds them up. Which thread called what, and in which order the values
-/// are added, must not matter to the result. Reports the progress after every `slice` calls.
+/// Calls `body(i, value)` for 0 <= i < `size`, where `value` is a copy of `zero`, one per thread.
+/// Returns their sum by `value.add(other)`. It must not depend on the assignment to threads or the
+/// order of the sum. Reports the progress after every `slice` calls.
 template <typename Value, typename Body>
 Value parallel_sum(Concurrency concurrency, std::size_t size, const Value& zero, const Body& body,
                    const Progress& progress = Progress(), std::size_t slice = std::size_t(1) << 10)

@@ -11,18 +11,18 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The points of a cloud, wherever they come from: what all of the package knows of the caller's
-/// range, property map and kernel. Refers to them.
+/// The points of a cloud, independent of the range, property map and kernel of the caller. Refers
+/// to them.
 struct Point_source
 {
-  /// Points in a block, which fits into the first cache; the last one may have fewer.
+  /// Number of points of a block, which fits into the L1 cache; the last one may have fewer.
   static constexpr std::size_t block_size = 256;
 
   /// Number of points.
   std::size_t size = 0;
 
-  /// `read(b, xyz)` writes the coordinates of the points of the `b`-th block to `xyz`, three numbers
-  /// for each. May be called concurrently.
+  /// `read(b, xyz)` writes the coordinates of the points of the `b`-th block to `xyz`, three
+  /// numbers per point. May be called concurrently.
   std::function<void(std::size_t, double*)> read;
 
   std::size_t number_of_blocks() const { return (size + block_size - 1) / block_size; }

@@ -11,12 +11,12 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Thrown where the user's callback cancels, and caught where the user called.
+/// Thrown if the user's callback cancels; caught by `Steps::run()`.
 struct Cancelled
 {};
 
-/// The user's callback, seen from a stage that is a part of the whole. Always called from the thread
-/// that runs the stage, outside of parallel loops.
+/// The user's callback, for a stage that is a part of the whole. Always called from the thread that
+/// runs the stage, outside parallel loops.
 class Progress
 {
 public:
@@ -30,7 +30,8 @@ public:
   /// The same callback for the part [`begin`, `end`] of this one.
   Progress part(double begin, double end) const { return Progress(callback_, at(begin), at(end)); }
 
-  /// Reports `fraction` in [0, 1] of this stage. \throws Cancelled if the callback returns `false`
+  /// Reports `fraction`, in [0, 1], of this stage. \throws Cancelled if the callback returns
+  /// `false`
   void operator()(double fraction) const
   {
     if(callback_ && !callback_(at(fraction)))

@@ -13,8 +13,8 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Disjoint sets of the numbers below `size` (union-find with path halving). The smallest number of a
-/// set is its root, so that the sets and their names do not depend on the order of the calls.
+/// Disjoint sets of the numbers below `size` (union-find with path halving, O(log n) amortised per
+/// call). The root of a set is its smallest number: it does not depend on the order of the calls.
 class Union_find
 {
 public:
@@ -23,7 +23,7 @@ public:
     std::iota(parent_.begin(), parent_.end(), std::size_t(0));
   }
 
-  /// The smallest number of the set of `v`.
+  /// Returns the smallest number of the set of `v`.
   std::size_t find(std::size_t v)
   {
     while(parent_[v] != v)
@@ -31,10 +31,10 @@ public:
     return v;
   }
 
-  /// Joins the sets of `a` and `b`; `false` if they were one already.
+  /// Joins the sets of `a` and `b`. Returns whether they were different.
   bool join(std::size_t a, std::size_t b)
   {
-    if(parent_[a] == parent_[b]) // most of the time
+    if(parent_[a] == parent_[b]) // common case
       return false;
     a = find(a);
     b = find(b);

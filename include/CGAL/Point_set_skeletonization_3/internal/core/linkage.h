@@ -5,8 +5,8 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_LINKAGE_H
 
 // The package is header-only unless a program links the library target
-// `Point_set_skeletonization_3_compiled`, which defines this macro: then the functions that are declared
-// with `CGAL_POINT_SET_SKELETONIZATION_3_INLINE` come from there.
+// `Point_set_skeletonization_3_compiled`, which defines this macro: then that contains the
+// functions declared with `CGAL_POINT_SET_SKELETONIZATION_3_INLINE`.
 #ifdef CGAL_POINT_SET_SKELETONIZATION_3_COMPILED
 #define CGAL_POINT_SET_SKELETONIZATION_3_INLINE
 #else

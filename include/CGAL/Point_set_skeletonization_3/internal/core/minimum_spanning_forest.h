@@ -13,14 +13,16 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Joins sets by their minimum spanning forest (Boruvka 1926): every round finds the least link that
-/// leaves each set. Returns the links that were taken.
+/// Joins sets by the minimum spanning forest of some links and returns its links (Boruvka 1926):
+/// each round takes the least link that leaves each set. O(log n) rounds, each linear in numbers
+/// and links.
 ///
-/// \param sets the numbers that links join; on return, what is connected is one set
-/// \param for_each_link `for_each_link(visit)` calls `visit(link)` for every link, which returns whether
-///        the link is between two sets. It is called once a round, O(log n) times, so that links need not
-///        be stored; those within a set may be left out
-/// \tparam Link has `.a` and `.b`, the numbers that it joins, and a strict total order `<`: with one,
+/// \param sets sets of the numbers that links join; on return, each connected component is one set
+/// \param size of `sets`
+/// \param for_each_link `for_each_link(visit)` calls `visit(link)` for each link, which returns
+///        whether the link joins two sets. Called once a round, so that links need not be stored;
+///        those within a set may be omitted
+/// \tparam Link has `.a` and `.b`, the numbers that it joins, and a strict total order `<`, so that
 ///         the forest does not depend on the order of the links
 template <typename Link, typename ForEachLink>
 std::vector<Link> minimum_spanning_forest(Union_find& sets, std::size_t size,
@@ -50,13 +52,13 @@ std::vector<Link> minimum_spanning_forest(Union_find& sets, std::size_t size,
   }
 }
 
-/// The same of links in a list.
+/// The same for a list of links.
 template <typename Link>
 std::vector<Link> minimum_spanning_forest(Union_find& sets, std::size_t size,
                                           std::vector<Link> links)
 {
   return minimum_spanning_forest<Link>(sets, size, [&](const auto& visit) {
-    std::size_t left = 0; // between sets
+    std::size_t left = 0; // links between sets
     for(const Link& link : links) {
       links[left] = link;
       left += visit(link);

@@ -18,12 +18,12 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Whether loops run on the calling thread only or on all threads of TBB. Nothing that is computed
-/// depends on it, bit for bit. Without TBB everything is sequential.
+/// Whether loops run on the calling thread only or on all threads of TBB; without TBB always
+/// sequential. The results are the same, bit for bit.
 enum class Concurrency { sequential, parallel };
 
-/// Calls `body(begin, end)` for disjoint ranges that make up [0, `size`), in any order and possibly
-/// concurrently. A body must write to places of its own only.
+/// Calls `body(begin, end)` for disjoint ranges that cover [0, `size`), in any order, perhaps
+/// concurrently. Two calls must not write to the same memory.
 inline void parallel_for_ranges(Concurrency concurrency, std::size_t size,
                                 const std::function<void(std::size_t, std::size_t)>& body)
 {
@@ -38,7 +38,7 @@ inline void parallel_for_ranges(Concurrency concurrency, std::size_t size,
   body(0, size);
 }
 
-/// Calls `body(i)` for 0 <= i < `size`; else as `parallel_for_ranges()`.
+/// Calls `body(i)` for 0 <= i < `size`; otherwise as `parallel_for_ranges()`.
 template <typename Body>
 void parallel_for(Concurrency concurrency, std::size_t size, const Body& body)
 {
@@ -48,7 +48,7 @@ void parallel_for(Concurrency concurrency, std::size_t size, const Body& body)
   });
 }
 
-/// Calls `first()` and `second()`, possibly concurrently.
+/// Calls `first()` and `second()`, perhaps concurrently.
 inline void parallel_invoke(Concurrency concurrency, const std::function<void()>& first,
                             const std::function<void()>& second)
 {

@@ -12,14 +12,14 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The eigenvalues of a covariance, ascending, and its eigenvectors, the columns of a matrix.
+/// The eigenvalues of a covariance, ascending, and its unit eigenvectors as columns.
 struct Principal_axes
 {
   Vector3 variances; ///< >= 0
   Matrix3 directions;
 };
 
-/// The principal axes of a positive semidefinite covariance, in closed form.
+/// Returns the principal axes of a positive semidefinite covariance, in closed form. O(1).
 inline Principal_axes principal_axes(const Matrix3& covariance)
 {
   Eigen::SelfAdjointEigenSolver<Matrix3> solver;

@@ -12,7 +12,8 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The value that a share of `values` lies below. \pre `!values.empty()`, `0 <= share < 1`
+/// Returns the value with a share of `values` below it. O(n).
+/// \pre `!values.empty()` and `0 <= share < 1`
 inline double quantile(std::vector<double> values, double share)
 {
   const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));

@@ -11,43 +11,44 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// What a limb is, and how the curve through it is drawn.
+/// Options of parts 3c and 3d: pruning and fitting the curve.
 struct Curve_options
 {
-  /// Share of the points of the largest component below which a component is a cluster of outliers: a
-  /// part of the shape that small has no skeleton to speak of.
+  /// Share of the points of the largest component, in [0, 1), below which a component is dropped as
+  /// a cluster of outliers.
   double stray_share = 0.01;
 
-  /// A limb is this much longer than half the width of one of its cross-sections. The corner of a plate
-  /// and a dome are 1, a cone of 60 degrees is 1.7; a finger or toe 3 and more.
+  /// Least slenderness of a branch, >= 0: its length beyond a cross-section over half the width of
+  /// that. 1 for a dome and the corner of a plate, 1.7 for a cone of 60 degrees, 3 and more for a
+  /// finger or toe.
   double slenderness = 1.25;
 
-  /// Patches that a limb shows, a ring around it; fewer are outliers that stick out, or that bridge the
-  /// gap between two limbs.
+  /// Least number of patches of a branch, a ring around a limb; fewer are outliers that stick out
+  /// or bridge the gap between two limbs.
   double least_patches = 6;
 
-  /// Radii of a gap that is bridged, along a limb: the eye bridges one that is twice as long as the limb
-  /// is thick.
+  /// Radii; widest gap that is bridged along a limb: twice its thickness. >= 0.
   double widest_gap = 4;
 
-  /// Spacings; of a limb with a smaller radius neither that nor the direction is known, and it counts as
-  /// that thick for a gap in any direction.
+  /// Spacings; limbs of smaller radius have no reliable radius or direction, and count as this
+  /// thick for gaps in any direction. >= 0.
   double thin_limb = 2;
 
-  /// Cosine between the direction of a tip and the gap that it is bridged over: limbs bend by less than
-  /// 37 degrees.
+  /// Least cosine between the direction of a tip and the gap, in (0, 1]: 37 degrees, which limbs
+  /// bend by at most.
   double aligned = 0.8;
 
-  /// Radii: half of the length of a limb that the points of one cross-section are taken from.
+  /// Radii; half the thickness of the slab whose points are one cross-section, > 0.
   double half_width = 0.25;
 
-  /// Radii: waves of 2 pi times that length are halved when a curve is centred, shorter ones vanish. A
-  /// limb does not wind within less than its own width.
+  /// Radii; centring halves waves of 2 pi times this length and removes shorter ones, >= 0. Limbs
+  /// do not undulate within their own width.
   double stiffness = 0.4;
 
-  /// Radians of a cross-section without points, from which on its centre is a guess: half of it.
+  /// Radians of gaps in a cross-section at which its centroid has weight 0, > 0.
   double unknown = CGAL_PI;
 
+  /// Checks all ranges.
   void check() const
   {
     CGAL_precondition(stray_share >= 0 && stray_share < 1);

@@ -15,25 +15,25 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The vertices of a branch in order, from end or junction to end or junction. A closed branch
-/// names its first vertex again at its end; a single vertex is an isolated one.
+/// The vertices of a branch in order, between vertices whose degree is not 2. A closed branch
+/// repeats its first vertex at the end; an isolated vertex is a branch.
 using Branch = std::vector<std::size_t>;
 
-/// A curve skeleton in normalised coordinates, as the linkers hand it on.
+/// A curve skeleton in normalised coordinates.
 struct Skeleton_graph
 {
   struct Vertex
   {
     Vector3 position = Vector3::Zero();
     double radius = 0;
-    bool is_cross_section = false; ///< It stands for a separator, not for a piece between them.
+    bool is_cross_section = false; ///< Represents a separator, not a piece in between.
   };
   using Edge = std::pair<std::size_t, std::size_t>;
 
   std::vector<Vertex> vertices;
   std::vector<Edge> edges;
 
-  /// Neighbours of every vertex, in the order of the edges.
+  /// Returns the neighbours of each vertex, in the order of the edges. O(n).
   std::vector<std::vector<std::size_t>> adjacency() const
   {
     std::vector<std::vector<std::size_t>> result(vertices.size());

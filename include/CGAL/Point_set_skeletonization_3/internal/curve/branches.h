@@ -15,11 +15,13 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
+/// Whether a branch is a cycle.
 inline bool is_closed(const Branch& branch)
 {
   return branch.size() > 1 && branch.front() == branch.back();
 }
 
+/// Returns the length of a branch.
 inline double length(const Branch& branch, const Skeleton_graph& graph)
 {
   double sum = 0;
@@ -28,7 +30,7 @@ inline double length(const Branch& branch, const Skeleton_graph& graph)
   return sum;
 }
 
-/// The point at arc length `s` of a branch.
+/// Returns the vertex at arc length `s` of a branch, or its last vertex. O(length of the branch).
 inline Skeleton_graph::Vertex point_at(double s, const Branch& branch, const Skeleton_graph& graph)
 {
   for(std::size_t i = 1; i < branch.size(); ++i) {
@@ -43,7 +45,7 @@ inline Skeleton_graph::Vertex point_at(double s, const Branch& branch, const Ske
   return graph.vertices[branch.back()];
 }
 
-/// Follows a path of vertices of degree 2 from `from` through `to`.
+/// Returns the path of vertices of degree 2 from `from` through its neighbour `to`, with its ends.
 inline Branch follow(std::size_t from, std::size_t to,
                      const std::vector<std::vector<std::size_t>>& adjacency)
 {
@@ -57,7 +59,8 @@ inline Branch follow(std::size_t from, std::size_t to,
   return branch;
 }
 
-/// Cuts a graph without multiple edges into its branches, ordered by their first vertices.
+/// Returns the branches of a graph without parallel edges, ordered by their first vertices, then
+/// the cycles without junctions. O(n).
 inline std::vector<Branch> branches(const Skeleton_graph& graph)
 {
   const auto adjacency = graph.adjacency();
@@ -75,7 +78,7 @@ inline std::vector<Branch> branches(const Skeleton_graph& graph)
       continue;
     for(std::size_t w : adjacency[v]) {
       const Branch branch = follow(v, w, adjacency);
-      // Every branch is met from both ends: keep it from the one that comes first.
+      // Each branch is found from both ends: keep one of them.
       if(Branch(branch.rbegin(), branch.rend()) >= branch)
         add(branch);
     }

@@ -21,16 +21,15 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Joins components of a skeleton where a limb goes on behind a gap in the data.
+/// Connects components of a skeleton across gaps in the data.
 ///
-/// A bridge leads from an end to another end or to the side of another branch. It is plausible if the
-/// gap is not much longer than the limb is thick and lies where the end points, and, if there is an
-/// end on the other side, where that points as well. Shorter bridges come first, and no two
-/// components are joined twice: a bridge never makes a loop.
+/// A bridge leads from a tip to another tip or to a vertex of another component. It is plausible if
+/// it is not much longer than the limb is thick and the tip points along it; between two tips, both
+/// must. Bridges are a minimum spanning forest of the components: they never close a cycle.
 class Bridging
 {
 public:
-  /// `spacing` is that of the surface's patches.
+  /// `spacing` is the median spacing of the patches. Refers to graph and options.
   Bridging(Skeleton_graph& graph, double spacing, const Curve_options& options)
       : options_(options)
       , graph_(graph)
@@ -42,7 +41,7 @@ public:
       sets_.join(e.first, e.second);
   }
 
-  /// Adds the plausible bridges.
+  /// Adds plausible bridges, the shorter first. O(tips times vertices).
   void bridge_gaps()
   {
     std::vector<Bridge> bridges;
@@ -54,7 +53,7 @@ public:
     add(minimum_spanning_forest(sets_, graph_.vertices.size(), std::move(bridges)));
   }
 
-  /// Adds the shortest bridges that make one component of all.
+  /// Adds the shortest bridges that connect all components. O(n^2 log n).
   void join_all()
   {
     add(minimum_spanning_forest<Bridge>(
@@ -83,12 +82,14 @@ private:
     return (graph_.vertices[v].position - graph_.vertices[w].position).norm();
   }
 
+  /// Whether a tip points at vertex `w`.
   bool points_at(std::size_t end, std::size_t w) const
   {
     const Vector3 gap = graph_.vertices[w].position - graph_.vertices[end].position;
     return tip_direction(end, graph_, adjacency_).dot(gap) > options_.aligned * gap.norm();
   }
 
+  /// Whether a bridge from a tip to vertex `w` is plausible.
   bool is_plausible(std::size_t end, std::size_t w) const
   {
     const double thin = options_.thin_limb * spacing_;

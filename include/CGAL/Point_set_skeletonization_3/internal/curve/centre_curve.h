@@ -26,29 +26,30 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Moves a skeleton to the centres of the cross-sections of its limbs, as smoothly as a skeleton is.
+/// Moves the vertices of a skeleton to the centroids of the cross-sections of its limbs, smoothly.
 ///
-/// Where a limb is cut by the plane across the skeleton, the centre of area of the cut is where the
-/// skeleton should pass. A single cut is known from a few points only, so it draws its vertex, and
-/// the vertices resist being bent: of all positions x those that minimise
+/// The plane through a vertex orthogonal to its branch cuts the limb; the centroid c of the area of
+/// the cross-section is the target of the vertex. It is known from a few points only. The positions
+/// x minimise the squared distances to the targets plus a bending energy,
 ///
 ///     sum w |x - c|^2 + sum (l / h)^4 |second difference of x|^2
 ///
-/// with the centre c of the cut at a vertex, the share w of its boundary that is known, the distance h
-/// of vertices, and a length l in proportion to the radius of the limb: a limb does not wind within less
-/// than its own width. Along a limb that is a low pass of fourth order: of a wave of length
-/// 2 pi l one half is left, of ten times that all but 1 in 10000. As the cuts follow the skeleton, a
-/// few rounds are needed. Where the centre is outside of the shape, as that of a channel, nothing is
-/// drawn there.
+/// with the share w of the boundary of the cross-section that is known, the distance h of vertices,
+/// and a length l in proportion to the radius: limbs do not undulate within their own width. This
+/// is a low-pass filter of fourth order: it keeps one half of a wave of length 2 pi l, and of ten
+/// times that all but 1 in 10000. Cross-sections move with the skeleton, so a few rounds are
+/// needed. A target outside the shape, as that of a channel, is ignored.
 class Curve_centring
 {
 public:
-  /// Tells of many places at once whether they are in the shape.
+  /// Tells for many places at once whether they are inside the shape.
   using Are_inside = std::function<std::vector<bool>(const std::vector<Vector3>&)>;
 
-  /// `surface[v]` are the points of the surface that belong to vertex v, noise and all: taking it off
-  /// draws what is curved to the inside. `spacing` is about how far they are apart. The radii of the
-  /// graph are those of the limbs, roughly. `inside` tells of places whether they are in the shape.
+  /// Refers to all arguments.
+  /// \param graph has roughly the radii of the limbs
+  /// \param surface `surface[v]` are the surface points of vertex v before denoising, which shrinks
+  ///        curved surfaces
+  /// \param spacing typical distance of the surface points
   Curve_centring(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
                  double spacing, const Are_inside& inside, const Curve_options& options,
                  Concurrency concurrency)
@@ -56,11 +57,12 @@ public:
       adjacency_(graph.adjacency()), start_(graph.vertices), drawn_(graph.vertices.size())
   {}
 
+  /// Solves a sparse linear system in each of three rounds.
   void run()
   {
-    constexpr int rounds = 3; // every one leaves a tenth of the way
+    constexpr int rounds = 3; // each leaves a tenth of the distance
     for(int round = 0; round < rounds; ++round) {
-      std::vector<std::size_t> moved; // since they were drawn
+      std::vector<std::size_t> moved; // since their targets were computed
       for(std::size_t v = 0; v < drawn_.size(); ++v)
         if((graph_.vertices[v].position - drawn_[v].from).norm() >= stays * drawn_[v].radius)
           moved.push_back(v);
@@ -72,29 +74,31 @@ public:
   }
 
 private:
-  /// Where a vertex is drawn.
+  /// The target of a vertex.
   struct Drawn
   {
-    Vector3 from = Vector3::Zero(); ///< Where it was then.
+    Vector3 from = Vector3::Zero(); ///< Of the vertex, when the target was computed.
     Vector3 target = Vector3::Zero();
     double weight = 0;
-    double radius = 0; ///< Of the limb there; 0: not drawn yet.
+    double radius = 0; ///< Of the limb there; 0: not computed yet.
   };
 
-  /// The centre of a cut hardly depends on where the vertex is, a tenth of the way at the most: a
-  /// vertex that moved less than this share of the radius since is drawn to the same place.
+  /// Radii; a vertex that has moved less keeps its target: a target moves by at most a tenth of the
+  /// distance that its vertex moves.
   static constexpr double stays = 0.02;
 
-  /// A vertex without a cut stays about where it was, and lets its neighbours decide.
+  /// Weight of a vertex without a cross-section: its neighbours dominate, its first position is the
+  /// target.
   static constexpr double least_weight = 0.1;
 
-  /// Of a vertex that nothing draws.
+  /// The target of a vertex without a cross-section.
   Drawn not_drawn(std::size_t v) const
   {
     const Skeleton_graph::Vertex& vertex = graph_.vertices[v];
     return {vertex.position, start_[v].position, least_weight, std::max(vertex.radius, spacing_)};
   }
 
+  /// The target of a vertex.
   Drawn drawn(std::size_t v) const
   {
     const Skeleton_graph::Vertex& vertex = graph_.vertices[v];
@@ -104,8 +108,8 @@ private:
       return not_drawn(v);
     const Vector3 e1 = piece.axis.unitOrthogonal(), e2 = piece.axis.cross(e1);
     const Cross_section section = cross_section(cut(v, piece, e1, e2, radius));
-    // With a gap of half the way around a centre is a guess, but better than none; with a third left
-    // it is none, nor is it where a sheet leaves both sides open.
+    // With a gap of 180 degrees the centroid is inaccurate, but better than none; it is not used
+    // with a gap of 240 degrees, or where a sheet is open on both sides.
     const double weight = 1 - section.unknown / options_.unknown;
     if(!(section.area > 0) || weight <= least_weight)
       return not_drawn(v);
@@ -114,7 +118,7 @@ private:
     return {vertex.position, target, weight, std::max(radius, std::sqrt(section.area / CGAL_PI))};
   }
 
-  /// Nothing draws vertices to the outside.
+  /// Ignores targets outside the shape.
   void keep_inside(const std::vector<std::size_t>& vertices)
   {
     std::vector<Vector3> targets;
@@ -126,7 +130,7 @@ private:
         drawn_[vertices[k]] = not_drawn(vertices[k]);
   }
 
-  /// A piece of a branch, read as a parabola.
+  /// A piece of a branch, approximated by a parabola.
   struct Piece
   {
     Vector3 axis = Vector3::Zero(); ///< Unit length, along the chord.
@@ -134,7 +138,7 @@ private:
     double half_chord = 0;          ///< 0: there is no such piece.
   };
 
-  /// The piece around a vertex, `reach` to either side as far as the branch goes.
+  /// The piece around a vertex, `reach` to either side or to the end of the branch.
   Piece piece_around(std::size_t v, double reach) const
   {
     Piece result;
@@ -143,7 +147,7 @@ private:
       return result;
     const Vector3& here = graph_.vertices[v].position;
     const Vector3 to = graph_.vertices[along(v, next.front(), reach)].position;
-    const Vector3 from = next.size() == 1 ? Vector3(2 * here - to) // an end goes straight on
+    const Vector3 from = next.size() == 1 ? Vector3(2 * here - to) // a tip: straight on
                                           : graph_.vertices[along(v, next.back(), reach)].position;
     result.half_chord = (to - from).norm() / 2;
     if(result.half_chord > 0)
@@ -152,14 +156,15 @@ private:
     return result;
   }
 
-  /// The points of the surface near the plane at a vertex that `e1` and `e2` span, moved to this plane
-  /// along the branch.
+  /// The surface points near the plane at a vertex spanned by `e1` and `e2`, moved along the branch
+  /// into this plane.
   std::vector<Eigen::Vector2d> cut(std::size_t v, const Piece& piece, const Vector3& e1,
                                    const Vector3& e2, double radius) const
   {
-    // Wide enough for a dozen points around a thin limb, narrow enough for one that gets thicker.
+    // Wide enough for a dozen points around a thin limb, narrow enough for varying thickness.
     const double half_width = std::max(spacing_, options_.half_width * radius);
-    // Points across the limb may belong to vertices further along it, those of other limbs not.
+    // Points of the cross-section may belong to vertices further along the limb, not to other
+    // limbs.
     constexpr double reach = 2; // radii
     std::vector<Eigen::Vector2d> result;
     for(std::size_t u : around(v, half_width + reach * graph_.vertices[v].radius))
@@ -175,7 +180,7 @@ private:
     return result;
   }
 
-  /// The vertices that are not further than `reach` along the graph.
+  /// The vertices within a distance of `reach` along the graph.
   std::vector<std::size_t> around(std::size_t v, double reach) const
   {
     std::vector<std::size_t> result{v};
@@ -191,7 +196,8 @@ private:
     return result;
   }
 
-  /// The vertex at least `reach` away from `v` through its neighbour `to`, or where the branch ends.
+  /// The first vertex at least `reach` away from `v` through its neighbour `to`, or the end of the
+  /// branch.
   std::size_t along(std::size_t v, std::size_t to, double reach) const
   {
     std::size_t from = v;
@@ -210,7 +216,7 @@ private:
     return (graph_.vertices[v].position - graph_.vertices[w].position).norm();
   }
 
-  /// Solves for the positions.
+  /// Solves the linear system for the positions.
   void move()
   {
     const auto size = static_cast<Eigen::Index>(drawn_.size());
@@ -224,7 +230,7 @@ private:
     Eigen::SparseMatrix<double> matrix(size, size);
     matrix.setFromTriplets(entries.begin(), entries.end());
     if(solver_.rows() == 0)
-      solver_.analyzePattern(matrix); // which stays
+      solver_.analyzePattern(matrix); // the same in all rounds
     solver_.factorize(matrix);
     const Eigen::MatrixX3d solution = solver_.solve(right);
     for(std::size_t v = 0; v < drawn_.size(); ++v)
@@ -233,8 +239,8 @@ private:
 
   using Entry = Eigen::Triplet<double>;
 
-  /// A vertex with its neighbours against bending; at a junction the difference to their mean is what
-  /// the second difference is elsewhere. An end is free.
+  /// Adds the bending energy at a vertex. At a junction the second difference is that to the mean
+  /// of the neighbours. Tips are free.
   void add_stiffness(std::size_t v, std::vector<Entry>& entries) const
   {
     const std::vector<std::size_t>& next = adjacency_[v];
@@ -247,7 +253,7 @@ private:
       h += share * distance(v, w);
       difference.emplace_back(w, 2 * share);
     }
-    // Vertices are evenly spaced but for short branches; nothing is stiffer than a rod.
+    // Bounds the stiffness of short branches, whose vertices are closer.
     h = std::max(h, 0.1 * drawn_[v].radius);
     const double stiffness = std::pow(options_.stiffness * drawn_[v].radius / h, 4);
     for(const auto& a : difference)
@@ -264,11 +270,12 @@ private:
   const Are_inside& inside_;
   std::vector<std::vector<std::size_t>> adjacency_;
   const std::vector<Skeleton_graph::Vertex> start_;
-  std::vector<Drawn> drawn_; ///< Of every vertex.
+  std::vector<Drawn> drawn_; ///< For each vertex.
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
 };
 
-/// Moves a skeleton to the centres of the cross-sections of its limbs; parameters as above.
+/// Centres a skeleton in the cross-sections of its limbs; parameters as for `Curve_centring`. Three
+/// sparse linear systems.
 inline void centre_curve(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
                          double spacing, const Curve_centring::Are_inside& inside,
                          const Curve_options& options, Concurrency concurrency)

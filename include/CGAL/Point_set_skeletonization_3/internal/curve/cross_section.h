@@ -18,16 +18,16 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The region around the origin of a plane that some points bound.
+/// The region of a plane around the origin that some points bound.
 struct Cross_section
 {
-  Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< Of its area.
-  double area = 0;                                  ///< 0: it is not known.
-  double unknown = 2 * CGAL_PI; ///< Sum of the angles by which gaps are wider than between points.
+  Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< Centroid of the area.
+  double area = 0;                                  ///< 0: unknown.
+  double unknown = 2 * CGAL_PI; ///< Radians; sum of gaps, each minus 60 degrees.
 };
 
-/// Orders directions as their angle in [-pi, pi] does, between half as steeply and as steeply: the
-/// way along a square instead of a circle.
+/// Returns a number that orders directions like their angle in [-pi, pi], without std::atan2(): the
+/// position on a square instead of a circle, in [-2, 2]. Its slope is between 1/2 and 1.
 inline double pseudo_angle(const Eigen::Vector2d& p)
 {
   if(p.isZero(0))
@@ -36,16 +36,15 @@ inline double pseudo_angle(const Eigen::Vector2d& p)
   return p.x() >= 0 ? way : std::copysign(2.0, p.y()) - way;
 }
 
-/// The region that is star-shaped around the origin and has the given points on its boundary. Only
-/// their places count, so it matters little how densely the boundary is sampled, and where: what
-/// points scatter to either side of it cancels out. Between two neighbours far apart in angle the
-/// distance changes evenly with the angle. So an arc remains an arc, and a circle of which a part is
-/// missing has its centre where it should.
+/// Returns the region that is star-shaped around the origin with the given points on its boundary;
+/// area 0 with fewer than three. The density of points along the boundary hardly matters, and
+/// scatter to both sides cancels out. In a gap the distance is interpolated linearly in the angle:
+/// an arc remains an arc, and a circle with a missing part keeps its centre. O(n log n).
 inline Cross_section cross_section(const std::vector<Eigen::Vector2d>& boundary)
 {
   constexpr std::size_t fewest = 3;
   constexpr double step = CGAL_PI / 8; // the area of a circle in such steps is exact to 3 %
-  constexpr double between_points = CGAL_PI / 3; // a sixth of the way around is no gap yet
+  constexpr double between_points = CGAL_PI / 3; // 60 degrees are no gap yet
   Cross_section result;
   if(boundary.size() < fewest)
     return result;

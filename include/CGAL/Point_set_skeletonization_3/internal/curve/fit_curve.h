@@ -25,14 +25,14 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// A point of the surface, and the sample that stands for it.
+/// A point of the surface, and its sample.
 struct Surface_point
 {
   std::size_t sample;
   Vector3 position;
 };
 
-/// The vertex nearest to every sample. \pre there is a vertex
+/// Returns the vertex nearest to each sample. O(n log n). \pre there is a vertex
 inline std::vector<std::size_t> vertices_of_samples(const Skeleton_graph& graph,
                                                     const Surface& surface, const Samples& samples,
                                                     Concurrency concurrency)
@@ -45,12 +45,12 @@ inline std::vector<std::size_t> vertices_of_samples(const Skeleton_graph& graph,
   return surface.tree.by_index(nearest_points(Box_tree(vertices), in_order, concurrency));
 }
 
-/// Fits a skeleton graph, whose vertices are where the linking left them, to the surface.
+/// Fits a skeleton graph to the surface.
 class Curve_fitting
 {
 public:
-  /// `points` are those of the surface, noise and all; of a sample that is an outlier there is none.
-  /// `noise` in [0, 1] tells how much there is.
+  /// `points` are the surface points before denoising, without outliers; `noise`, in [0, 1], is its
+  /// strength. Refers to all but the graph.
   Curve_fitting(Skeleton_graph graph, const Surface& surface, const Samples& samples,
                 const std::vector<Surface_point>& points, double noise,
                 const Curve_options& options, Concurrency concurrency)
@@ -58,8 +58,8 @@ public:
       noise_(noise), concurrency_(concurrency)
   {}
 
-  /// Evens the graph out, bridges gaps, centres it, leads the ends to the tips and measures the radii.
-  /// To be called once.
+  /// Smooths the graph, bridges gaps, centres it, moves the tips to the ends of limbs and measures
+  /// the radii. To be called once.
   Skeleton_graph run(bool single_component)
   {
     smooth(graph_);
@@ -76,7 +76,7 @@ public:
   }
 
 private:
-  /// Vertices a spacing apart; where points coincide that may be next to nothing, but a skeleton has no
+  /// Resamples to edges of one spacing, or longer ones (where points coincide): a skeleton has no
   /// more vertices than samples.
   void resample()
   {
@@ -115,7 +115,8 @@ private:
     resample();
   }
 
-  /// As far as one knows: in noise a thin limb has no inside that could be told.
+  /// Whether a place is inside. With noise the threshold is lower: winding numbers in thin limbs
+  /// are unreliable.
   bool is_inside(const Vector3& q) const
   {
     return surface_.winding_number(q) >= surface_.options.least_inside - noise_;
@@ -129,7 +130,7 @@ private:
     return result;
   }
 
-  /// The radius of every vertex: how far the surface is that it sees.
+  /// Sets the radius of each vertex to the distance of the nearest visible patch, if there is one.
   void measure_radii()
   {
     std::vector<Vector3> places;
@@ -141,11 +142,11 @@ private:
         graph_.vertices[v].radius = radii[v];
   }
 
-  /// In noise some patch is always nearer than the surface, and none is left around a limb that has
-  /// drowned in it: there the points themselves tell the radius, by the lower quartile of their
-  /// distances. A vertex alone has a few points only, so those of the next ones count as well; those of
-  /// an end do not, they lie in front of it rather than around it. Where the data are clean they do
-  /// not tell the radius, the cross-section need not be round.
+  /// Raises radii to the strength of the noise times the lower quartile of the distances of surface
+  /// points. With noise, some patch is always nearer than the surface, and none is left around a
+  /// limb as thin as the noise. A vertex has few points, so those of adjacent vertices count too,
+  /// except for tips, whose points lie in front. Not used without noise: cross-sections need not be
+  /// round.
   void correct_radii(const std::vector<std::vector<Vector3>>& points)
   {
     const auto adjacency = graph_.adjacency();
@@ -163,7 +164,7 @@ private:
     }
   }
 
-  /// The points of the surface of every vertex.
+  /// The surface points of each vertex.
   std::vector<std::vector<Vector3>> points_of_vertices() const
   {
     const std::vector<std::size_t> vertex_of_sample =
@@ -183,7 +184,9 @@ private:
   Concurrency concurrency_;
 };
 
-/// A curve through the middle of the limbs that a graph connects; see `Curve_fitting`.
+/// Part 3d: returns a curve through the middle of the limbs that a graph connects; see
+/// `Curve_fitting`. Time: tips times vertices for bridging, and six sparse linear systems. \pre
+/// there is a vertex
 inline Skeleton_graph fit_curve(Skeleton_graph graph, const Surface& surface,
                                 const Samples& samples, const std::vector<Surface_point>& points,
                                 double noise, bool single_component, const Curve_options& options,

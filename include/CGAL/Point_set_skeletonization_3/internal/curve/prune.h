@@ -21,7 +21,8 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The graph without the vertices marked `removed` and their edges; the order of the rest is kept.
+/// Returns the graph without the vertices marked `removed` and their edges, in the same order.
+/// O(n).
 inline Skeleton_graph without(const Skeleton_graph& graph, const std::vector<bool>& removed)
 {
   std::vector<std::size_t> index(graph.vertices.size(), 0);
@@ -37,8 +38,8 @@ inline Skeleton_graph without(const Skeleton_graph& graph, const std::vector<boo
   return result;
 }
 
-/// Marks the pieces at the very end of a limb as removed as well: a cap has no middle of its own, the
-/// tip is found from the cross-section before it.
+/// Marks the piece beyond the last separator of each limb as removed: a cap has no centre, and the
+/// tip is found from the separator before it. O(n).
 inline void mark_caps(const Skeleton_graph& graph, std::vector<bool>& removed)
 {
   std::vector<std::vector<std::size_t>> adjacency(graph.vertices.size());
@@ -53,30 +54,30 @@ inline void mark_caps(const Skeleton_graph& graph, std::vector<bool>& removed)
   for(std::size_t v = 0; v < adjacency.size(); ++v) {
     if(!is_cap(v))
       continue;
-    // A single cross-section between two caps keeps them: a vertex alone has no direction.
+    // A single separator between two caps keeps them: one vertex has no direction.
     const std::vector<std::size_t>& next = adjacency[adjacency[v].front()];
     removed[v] = std::count_if(next.begin(), next.end(), is_cap) == 1;
   }
 }
 
-/// Removes the ends that are no limbs, and bridges made of a few outliers.
+/// Finds branches that are no limbs, and bridges of a few outliers.
 class Spur_pruning
 {
 public:
-  /// `patches_of` are the patches of every vertex.
+  /// `patches_of[v]` are the patches of vertex v. Refers to all arguments.
   Spur_pruning(const Skeleton_graph& graph, const Patches& patches,
                const std::vector<std::vector<std::size_t>>& patches_of,
                const Curve_options& options)
     : options_(options), graph_(graph), patches_(patches), patches_of_(patches_of)
   {}
 
-  /// Marks the vertices of spurs, the least slender first: removing one may turn its junction into a
-  /// plain vertex and two short branches into a long one.
+  /// Returns a mark for each vertex of a spur. The least slender is removed first: then its
+  /// junction may have degree 2 and two short branches become a long one. O(n log n) per spur.
   std::vector<bool> spurs() const
   {
     std::vector<bool> removed(graph_.vertices.size(), false);
     for(;;) {
-      Skeleton_graph rest = graph_; // with the vertices of `graph_`, so that indices stay
+      Skeleton_graph rest = graph_; // with all vertices, so that indices stay
       rest.edges.clear();
       for(const Skeleton_graph::Edge& e : graph_.edges)
         if(!removed[e.first] && !removed[e.second])
@@ -108,7 +109,7 @@ public:
   }
 
 private:
-  /// The patches of a branch, without those of its junctions.
+  /// Number of patches of a branch, without its junctions; `ends`: at a tip.
   std::size_t number_of_patches(const Branch& branch, bool ends) const
   {
     std::size_t result = 0;
@@ -117,7 +118,7 @@ private:
     return result;
   }
 
-  /// Whether the graph stays as connected as it is without a branch between two junctions.
+  /// Whether the ends of a branch stay connected without it.
   static bool is_detour(const Branch& branch, const Skeleton_graph& graph)
   {
     Union_find parts(graph.vertices.size());
@@ -127,8 +128,8 @@ private:
     return parts.find(branch.front()) == parts.find(branch.back());
   }
 
-  /// The largest ratio of what lies beyond a cross-section of a branch to half the width of it, from
-  /// its junction to its end.
+  /// The largest ratio of the length beyond a cross-section of a branch, from junction to tip, to
+  /// half its width.
   double slenderness(const Branch& branch) const
   {
     double result = 0;
@@ -137,7 +138,7 @@ private:
         continue;
       const std::vector<double> width = distances(branch, k, k + 1);
       const std::vector<double> length = distances(branch, k, branch.size());
-      // Without the furthest twentieth, two at the least: outliers stick out of the surface.
+      // Without the furthest 5 %, at least two: outliers stick out of the surface.
       const std::size_t last = length.size() - 1;
       const std::size_t reached = last - std::min(last, std::max<std::size_t>(2, last / 20));
       if(width.back() > 0)
@@ -146,7 +147,7 @@ private:
     return result;
   }
 
-  /// How far the patches of some vertices of a branch are from its `k`-th, ascending.
+  /// Distances of the patches of the vertices [`k`, `end`) of a branch from the `k`-th, ascending.
   std::vector<double> distances(const Branch& branch, std::size_t k, std::size_t end) const
   {
     std::vector<double> result;
@@ -163,13 +164,14 @@ private:
   const std::vector<std::vector<std::size_t>>& patches_of_;
 };
 
-/// A surface quotient without spurs and stray components.
+/// A quotient graph without spurs and stray components.
 struct Pruned_quotient
 {
   Skeleton_graph graph;
-  std::vector<bool> is_stray; ///< Of every vertex of the quotient: it stands for outliers.
+  std::vector<bool> is_stray; ///< For each vertex of the quotient: it consists of outliers.
 };
 
+/// Part 3c: removes stray components, spurs and caps. O(n log n) per spur.
 inline Pruned_quotient prune(const Surface_quotient& quotient, const Patches& patches,
                              const Curve_options& options)
 {

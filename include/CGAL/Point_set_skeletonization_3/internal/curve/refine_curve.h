@@ -20,11 +20,11 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Smooths the branches, ends and junctions staying where they are, by Taubin's pair of a shrinking
-/// and a slightly larger growing step (1995): bends stay, the zigzag between samples goes.
+/// Smooths branches; tips and junctions stay. Alternates shrinking and slightly larger growing
+/// steps (Taubin 1995): bends stay, the zigzag between samples goes. O(n).
 inline void smooth(Skeleton_graph& graph)
 {
-  constexpr int rounds = 10;          // evens out about three vertices to either side
+  constexpr int rounds = 10;          // smooths over about three vertices to either side
   constexpr double shrink = 0.5, grow = -0.53;
   const auto adjacency = graph.adjacency();
   for(int step = 0; step < 2 * rounds; ++step) {
@@ -38,9 +38,9 @@ inline void smooth(Skeleton_graph& graph)
   }
 }
 
-/// Replaces every branch by evenly spaced vertices about `step` apart; ends and junctions stay.
-/// A closed branch keeps three edges at least and one between two junctions two, so that the graph
-/// has neither loops of one edge nor parallel ones.
+/// Returns the graph with evenly spaced vertices about `step` apart; tips and junctions stay. A
+/// closed branch keeps at least three edges and one between two junctions two: no loops, no
+/// parallel edges. O(n + length / step). \pre `step > 0`
 inline Skeleton_graph resampled(const Skeleton_graph& graph, double step)
 {
   const auto adjacency = graph.adjacency();
@@ -73,8 +73,8 @@ inline Skeleton_graph resampled(const Skeleton_graph& graph, double step)
   return result;
 }
 
-/// The direction in which a branch leaves its end `v`, over a length of at least the radius there:
-/// the last edge alone may point anywhere.
+/// Returns the unit direction in which a branch leaves its tip `v`, over a chord of two radii: the
+/// last edge alone is unreliable. \pre `v` has degree 1
 inline Vector3 tip_direction(std::size_t v, const Skeleton_graph& graph,
                              const std::vector<std::vector<std::size_t>>& adjacency)
 {
@@ -87,9 +87,9 @@ inline Vector3 tip_direction(std::size_t v, const Skeleton_graph& graph,
   return (end.position - graph.vertices[branch[k]].position).normalized();
 }
 
-/// Moves the ends of branches out to the tips of limbs: so far along its branch that the ball at the end
-/// reaches the furthest of the surface points that belong to it, and half as far again and again where
-/// that is not `inside`, as in a limb that bends at its end. `surface[v]` are those points.
+/// Moves tips along their branches until the ball there reaches the furthest of the surface points
+/// `surface[v]` of the tip. Halves the step, four times at most, while its end is not `inside`, as
+/// in a limb that bends at its end. O(n).
 inline void extend_tips(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
                         const std::function<bool(const Vector3&)>& inside)
 {
@@ -104,10 +104,10 @@ inline void extend_tips(Skeleton_graph& graph, const std::vector<std::vector<Vec
       reach.push_back(direction.dot(p - end.position));
     if(reach.size() < 3)
       continue;
-    // The third furthest: one or two patches may be outliers.
+    // The third furthest: two points may be outliers.
     std::nth_element(reach.begin(), reach.begin() + 2, reach.end(), std::greater<double>());
     Vector3 step = std::max(0.0, reach[2] - end.radius) * direction;
-    constexpr int halvings = 4; // what is left then does no harm
+    constexpr int halvings = 4; // the rest is negligible
     for(int halving = 0; halving < halvings && !inside(end.position + step); ++halving)
       step /= 2;
     end.position += step;

@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Marks the vertices of components that stand for next to no points; `weight` is the number of
-/// points of every vertex, `stray_share` a share of those of the largest component.
+/// Marks the vertices of components with less than `stray_share` of the points of the largest one;
+/// `weight[v]` is the number of points of vertex v. O(n).
 inline std::vector<bool> stray_vertices(const Skeleton_graph& graph,
                                         const std::vector<double>& weight, double stray_share)
 {

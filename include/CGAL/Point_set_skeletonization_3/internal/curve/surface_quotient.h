@@ -24,21 +24,22 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The graph of the pieces that separators cut the surface into, with the patches of every vertex.
+/// The graph of the separators and the pieces that they cut the surface into, and the vertex of
+/// each patch.
 struct Surface_quotient
 {
   Skeleton_graph graph;
   std::vector<std::size_t> vertex_of_patch;
 };
 
-/// Cuts the surface along separators. Every separator becomes a vertex between the two pieces on
-/// its sides, so that the graph has the loops of the surface: a handle is cut open by its
-/// separators, which its pieces connect, and what touches a separator on one side is one piece
-/// however many strips it falls into.
+/// Cuts the surface along separators (union-find). Each separator is a vertex between the pieces on
+/// its two sides, so that the graph has the cycles of the surface: separators cut a handle open,
+/// its pieces connect them. All patches on one side of a separator are in one piece, even if they
+/// are not connected.
 ///
-/// Limbs that touch are one surface to the points. So neighbouring patches are in one piece where their
-/// medial balls overlap. Where they do not, or nothing is known of them, they are in one piece only if
-/// the shape would fall apart otherwise: such a link may connect parts, but must not close a loop.
+/// To the points, limbs that touch are one surface. So adjacent patches are in one piece only if
+/// their medial balls overlap, or if they would be disconnected otherwise: a weak overlap, or an
+/// unknown ball, may connect components but never closes a cycle. O(n log n).
 class Surface_cut
 {
 public:
@@ -52,7 +53,7 @@ public:
         separator_of_patch_[i] = s;
 
     std::vector<Link> doubtful = join_overlapping(overlaps);
-    Union_find whole = sets_; // with the separators' two sides one
+    Union_find whole = sets_; // the two sides of each separator joined
     for(std::size_t s = 0; s < separators.size(); ++s)
       whole.join(node(s, 0), node(s, 1));
     const std::size_t nodes = 2 * separators.size() + patches.size();
@@ -60,11 +61,11 @@ public:
       sets_.join(link.a, link.b);
   }
 
-  /// The separator of a patch; `none` if it belongs to a piece.
+  /// The separator of a patch; `none` if it is in a piece.
   std::size_t separator(std::size_t patch) const { return separator_of_patch_[patch]; }
-  /// A name of the piece of a patch that belongs to no separator.
+  /// Identifier of the piece of a patch. \pre it is on no separator
   std::size_t piece(std::size_t patch) { return sets_.find(node(patch)); }
-  /// The same name for the piece on a side of a separator.
+  /// Identifier of the piece on a side, 0 or 1, of a separator.
   std::size_t piece(std::size_t separator, std::size_t side)
   {
     return sets_.find(node(separator, side));
@@ -73,14 +74,14 @@ public:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 private:
-  /// Two nodes that touch, and how far the balls of their patches overlap, in [0, 1].
+  /// Two adjacent nodes, and the overlap of the balls of their patches, in [0, 1].
   struct Link
   {
     std::size_t a, b;
     std::size_t index;
     double overlap;
 
-    /// What overlaps more comes first.
+    /// Greater overlap comes first.
     bool operator<(const Link& other) const
     {
       return overlap != other.overlap ? overlap > other.overlap : index < other.index;
@@ -91,7 +92,7 @@ private:
   std::size_t node(std::size_t separator, std::size_t side) const { return 2 * separator + side; }
   std::size_t node(std::size_t patch) const { return 2 * separators_.size() + patch; }
 
-  /// Joins what touches where balls overlap; returns the other links.
+  /// Joins adjacent nodes of one limb; returns the other links.
   std::vector<Link> join_overlapping(const Ball_overlaps& overlaps)
   {
     std::vector<Link> doubtful;
@@ -110,8 +111,8 @@ private:
     return doubtful;
   }
 
-  /// The node of patch `i` where it touches patch `j`: its own, or if it belongs to a separator that
-  /// of the side where `j` is; `none` if `j` is on neither.
+  /// The node of patch `i` towards patch `j`: its own or, on a separator, that of the side of `j`;
+  /// `none` if `j` is on neither side.
   std::size_t end(std::size_t i, std::size_t j) const
   {
     const std::size_t s = separator_of_patch_[i];
@@ -130,7 +131,7 @@ private:
   Union_find sets_;
 };
 
-/// The patches of every vertex.
+/// Returns the patches of each of `vertices` vertices, ascending. O(n).
 inline std::vector<std::vector<std::size_t>>
 patches_of_vertices(const std::vector<std::size_t>& vertex_of_patch, std::size_t vertices)
 {
@@ -140,8 +141,8 @@ patches_of_vertices(const std::vector<std::size_t>& vertex_of_patch, std::size_t
   return result;
 }
 
-/// The L1-median of some samples, by Weiszfeld's iteration from their mean: a few that went astray do
-/// not draw it away. \pre there is a sample
+/// Returns the L1-median of some samples, which is robust against outliers, by Weiszfeld's
+/// iteration from their mean; and their mean radius. O(samples). \pre there is a sample
 inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
                                      const Samples& samples)
 {
@@ -155,7 +156,7 @@ inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
     Vector3 sum = Vector3::Zero();
     double weight = 0;
     for(std::size_t i : members) {
-      // Not closer than the place is known, lest one sample take all.
+      // Bounded below, or a single sample would take all the weight.
       const double distance = std::max((samples[i].position - result.position).norm(),
                                        0.1 * result.radius + least_spacing);
       sum += (samples[i].position - result.position) / distance;
@@ -166,8 +167,8 @@ inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
   return result;
 }
 
-/// The surface quotient: every separator and every piece between separators made one vertex, in the
-/// middle of the samples of its patches.
+/// Part 3b: returns the quotient graph. Each separator and each piece is a vertex in the middle of
+/// the samples of its patches. O(n log n).
 inline Surface_quotient surface_quotient(const Patches& patches, const Samples& samples,
                                          const Ball_overlaps& overlaps,
                                          const std::vector<Local_separator>& separators,
@@ -177,7 +178,7 @@ inline Surface_quotient surface_quotient(const Patches& patches, const Samples& 
   Surface_cut surface(patches, overlaps, separators);
   Surface_quotient result;
   result.graph.vertices.resize(separators.size());
-  std::vector<std::pair<std::size_t, std::size_t>> beside; // a vertex beside a separator
+  std::vector<std::pair<std::size_t, std::size_t>> beside; // extra vertex, its separator
   std::vector<std::size_t> vertex_of_piece(2 * separators.size() + patches.size(), none);
   const auto vertex = [&](std::size_t piece) {
     if(vertex_of_piece[piece] == none) {
@@ -193,8 +194,8 @@ inline Surface_quotient surface_quotient(const Patches& patches, const Samples& 
       result.graph.edges.emplace_back(s, b);
       continue;
     }
-    // A handle with one separator: the piece on its far side is the near one. A vertex of its own
-    // makes the loop, lest there be two edges between the same two vertices.
+    // A handle with one separator has the same piece on both sides. An extra vertex on the cycle
+    // avoids parallel edges.
     result.graph.edges.emplace_back(s, result.graph.vertices.size());
     result.graph.edges.emplace_back(b, result.graph.vertices.size());
     beside.emplace_back(result.graph.vertices.size(), s);
@@ -206,7 +207,7 @@ inline Surface_quotient surface_quotient(const Patches& patches, const Samples& 
 
   std::vector<std::vector<std::size_t>> members =
     patches_of_vertices(result.vertex_of_patch, result.graph.vertices.size());
-  // Separators that touch leave no patch in between: the piece lies in the middle of them.
+  // A piece between adjacent separators may have no patch: it takes those of the separators.
   std::vector<bool> empty(members.size());
   for(std::size_t v = 0; v < members.size(); ++v)
     empty[v] = members[v].empty();

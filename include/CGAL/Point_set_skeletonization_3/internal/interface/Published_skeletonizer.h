@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The stages of the published method and what each of them leaves; else as `Skeletonizer`.
+/// The stages of the published method and their results; otherwise as `Skeletonizer`.
 class Published_skeletonizer
 {
 public:
@@ -28,11 +28,16 @@ public:
   Published_skeletonizer& operator=(Published_skeletonizer&&) noexcept;
   ~Published_skeletonizer();
 
+  /// Stage 1: kNN Gaussians and hierarchical EM. O(n log n) in practice.
   /// \throws std::invalid_argument that names the first point with a coordinate that is not finite
   void fit_mixture(const Point_source& points, const Progress& progress);
+  /// Stage 2: moves samples to L1-medians of the mixture.
   void project(const Progress& progress);
+  /// Stage 3: Algorithm 1 of the paper. O(k^2 log k) for k components of the mixture of the
+  /// samples.
   void link(const Progress& progress);
 
+  /// Results of the stages, in the coordinates of the input.
   Plain_mixture mixture() const;
   std::vector<Plain_l1_sample> samples() const;
   Plain_skeleton skeleton() const;
@@ -42,7 +47,7 @@ public:
   std::size_t number_of_samples() const;
   std::size_t number_of_points() const;
 
-  /// Fills the lists of the points of every vertex. \pre `link()` is done
+  /// Fills the list of points of each vertex. \pre `link()` is done
   void fill_point_indices(const Index_lists& lists) const;
 
 private:

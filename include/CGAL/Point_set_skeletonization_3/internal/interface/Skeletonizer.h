@@ -21,40 +21,45 @@ class Moment_grid;
 class Normalization;
 struct Options;
 
-/// The stages of the default method and what each of them leaves, behind an interface without a kernel:
-/// what is behind it is compiled once, whatever the user's points are.
+/// The stages of the default method and their results, without a kernel: compiled once for all
+/// types of points.
 class Skeletonizer
 {
 public:
+  /// With the default options.
   explicit Skeletonizer(Concurrency concurrency, bool single_component = false);
   Skeletonizer(Skeletonizer&&) noexcept;
   Skeletonizer& operator=(Skeletonizer&&) noexcept;
   ~Skeletonizer();
 
-  /// The same with other options than the defaults.
+  /// With other options than the defaults.
   Skeletonizer(Concurrency concurrency, const Options& options);
 
-  // The stages throw `Cancelled` if the callback cancels, and leave nothing of a stage then.
+  // If the callback cancels, a stage throws `Cancelled` and has no result.
 
-  /// Stage 1, of points, which are read twice and normalised by their bounding box.
+  /// Stage 1. Reads the points three times: for their bounding box, which normalises them, for the
+  /// width of the cells, and for the moments. O(n).
   /// \throws std::invalid_argument that names the first point with a coordinate that is not finite
   void fit_mixture(const Point_source& points, const Progress& progress);
 
-  /// Stage 1, of points that were streamed.
+  /// Stage 1 for the moments of a builder. O(cells) per step of the search for the width.
   void fit_mixture(const Moment_grid& points, const Normalization& normalization);
 
-  /// Stage 1, of a mixture from elsewhere.
+  /// Takes a mixture from elsewhere as the result of stage 1.
+  /// \throws std::invalid_argument that names the first mean that is not finite
   void set_mixture(const Plain_mixture& mixture);
 
-  /// Stage 2. Of no points there are no samples.
+  /// Stage 2; no samples without points. O(n log n) for n components.
   void project(const Progress& progress);
 
-  /// Stage 2, of samples from elsewhere.
+  /// Takes samples from elsewhere as the result of stage 2. O(n log n).
+  /// \throws std::invalid_argument that names the first mean that is not finite
   void set_samples(const Plain_samples& samples);
 
-  /// Stage 3. Of no samples the skeleton is empty.
+  /// Stage 3; an empty skeleton without samples. O(n log n) in practice for n samples.
   void link(const Progress& progress);
 
+  /// Results of the stages, in the coordinates of the input.
   Plain_mixture mixture() const;
   Plain_samples samples() const;
   Plain_skeleton skeleton() const;
@@ -66,16 +71,16 @@ public:
   /// Number of points that belong to no vertex.
   std::size_t number_of_outliers() const;
 
-  /// Number of points whose vertex is known: none that were streamed.
+  /// Number of points whose vertex is known; 0 for points from a builder.
   std::size_t number_of_points() const;
 
-  /// Fills the lists of the points of every vertex. \pre `link()` is done
+  /// Fills the list of points of each vertex. O(points). \pre `link()` is done
   void fill_point_indices(const Index_lists& lists) const;
 
-  /// The same; forgets the points, whose memory goes back to the system meanwhile.
+  /// The same, and returns the memory of the points to the system on the way.
   void fill_point_indices_and_forget(const Index_lists& lists);
 
-  /// Fills the lists of the samples of every vertex. \pre `link()` is done
+  /// Fills the list of samples of each vertex. O(samples). \pre `link()` is done
   void fill_sample_indices(const Index_lists& lists) const;
 
 private:

@@ -28,13 +28,13 @@ namespace internal {
 struct Skeletonizer::State
 {
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  static constexpr std::size_t number_of_levels = 3; // for who reads the mixture; we read the first
+  static constexpr std::size_t number_of_levels = 3; // stages 2 and 3 use the first
 
   Concurrency concurrency;
   Options options;
 
   Normalization normalization;
-  Cells_of_points cell_of_point;  ///< In the finest level; none of points that were streamed.
+  Cells_of_points cell_of_point;  ///< In the finest level; empty for points from a builder.
   std::vector<Gaussians> mixture; ///< Finest level first.
   double cell_size = 0;           ///< Of the finest level.
 
@@ -75,8 +75,7 @@ struct Skeletonizer::State
     number_of_outliers = 0;
   }
 
-  /// The points of the surface, those of one sample after the other. With noise they are those of the
-  /// mixture as it was read.
+  /// The surface points before denoising, those of one sample consecutive.
   std::vector<Surface_point> surface_points() const
   {
     const std::vector<std::size_t>& patch = medial->consolidated.patch_of_component;
@@ -88,7 +87,7 @@ struct Skeletonizer::State
     const auto is_before = [](const Surface_point& a, const Surface_point& b) {
       return a.sample < b.sample;
     };
-    if(!std::is_sorted(result.begin(), result.end(), is_before)) // where nothing has moved they are
+    if(!std::is_sorted(result.begin(), result.end(), is_before)) // they are without noise
       std::stable_sort(result.begin(), result.end(), is_before);
     return result;
   }
@@ -104,7 +103,7 @@ struct Skeletonizer::State
       if(vertex_of_component[i] == none)
         outlier_weight += mixture.front()[i].weight;
     }
-    number_of_outliers = static_cast<std::size_t>(outlier_weight); // a sum of whole numbers
+    number_of_outliers = static_cast<std::size_t>(outlier_weight); // a sum of integers
   }
 
   template <typename Forget>
@@ -214,7 +213,7 @@ void Skeletonizer::set_samples(const Plain_samples& plain)
     build_surface(patches.patches, patches.tree, patches.neighbors, state.options.medial.surface,
                   state.concurrency);
 
-  // The points of the surface take the place of the mixture's components.
+  // The surface points replace the components of the mixture.
   state.mixture.emplace_back();
   for(const auto& [point, sample] : plain.surface) {
     state.mixture.front().push_back(

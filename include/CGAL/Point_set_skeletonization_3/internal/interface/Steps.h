@@ -12,17 +12,17 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The steps of a skeletonization, which are done in their order: how many are, and the user's callback.
+/// The steps of a skeletonization: how many are done, and the user's callback.
 class Steps
 {
 public:
   explicit Steps(Progress progress) : progress_(std::move(progress)) {}
 
-  /// How many are done.
+  /// Number of steps done.
   int done() const { return done_; }
 
-  /// Does step `number` by calling `step(progress)`; it covers [`begin`, `end`] of the whole.
-  /// \returns `false` if the callback cancelled; the step is not done then
+  /// Runs step `number` by `step(progress)`, whose progress covers [`begin`, `end`] of the whole.
+  /// \returns `false` if the callback cancelled; then the step is not done
   template <typename Step>
   bool run(int number, double begin, double end, const Step& step)
   {

@@ -16,18 +16,18 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Fills the lists of the points of every vertex, ascending. Of ten million points they are most of the
-/// memory: so they get no more of it than they need.
+/// Fills the list of points of each vertex, ascending. With ten million points the lists use most
+/// of the memory, so they get no more of it than they need. O(points).
 ///
-/// \param vertex_of_point `vertex_of_point(p)` is the vertex of a point; of an outlier it is not less than
-///        `vertices`
-/// \param forget_points_below `forget_points_below(end)` may give back memory: those points are done
+/// \param vertex_of_point `vertex_of_point(p)` is the vertex of a point; at least `vertices` for an
+///        outlier
+/// \param forget_points_below `forget_points_below(end)` may free memory of the points below `end`
 template <typename VertexOfPoint, typename ForgetPointsBelow>
 void fill_indices(std::size_t points, std::size_t vertices, const VertexOfPoint& vertex_of_point,
                   const ForgetPointsBelow& forget_points_below, const Index_lists& lists,
                   Concurrency concurrency)
 {
-  // The points are split into rounds, and these into parts: there is work for so many threads.
+  // Points are split into rounds, and rounds into parts that are processed concurrently.
   constexpr std::size_t rounds = 8, parts = 8;
   const auto first = [&](std::size_t part) { return part * points / (rounds * parts); };
   const auto for_each_point = [&](std::size_t part, const auto& visit) {
@@ -35,7 +35,7 @@ void fill_indices(std::size_t points, std::size_t vertices, const VertexOfPoint&
       if(const std::size_t v = vertex_of_point(p); v < vertices)
         visit(p, v);
   };
-  // Where the next point of a part goes in the list of a vertex; at first the number of its points.
+  // Position of the next point of a part in the list of a vertex; first its number of points.
   std::vector<std::vector<std::size_t>> place(rounds * parts + 1,
                                               std::vector<std::size_t>(vertices, 0));
   parallel_for(concurrency, rounds * parts, [&](std::size_t part) {

@@ -20,16 +20,15 @@
 #include <type_traits>
 #include <utility>
 
-// The only place where named parameters and concurrency tags are read; everything below sees plain
-// values.
+// Named parameters and concurrency tags are read here only; all other internals get plain values.
 
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Whether every parameter of a call is one of those with the given tags.
+/// Whether all named parameters of a call have one of the given tags.
 template <typename NamedParameters, typename... Tags>
-struct Has_only : std::true_type // CGAL's end of the chain
+struct Has_only : std::true_type // end of CGAL's chain
 {};
 
 template <typename T, typename Tag, typename Base, typename... Tags>
@@ -39,14 +38,14 @@ struct Has_only<Named_function_parameters<T, Tag, Base>, Tags...>
                        Has_only<Base, Tags...>::value>
 {};
 
-/// The parameters that describe the input; normals are accepted, as a `Point_set_3` hands them over,
-/// and not used.
+/// The parameters that describe the input. Normals, which `Point_set_3` passes, are accepted and
+/// ignored.
 template <typename NamedParameters, typename... Tags>
 using Has_only_input_and =
   Has_only<NamedParameters, internal_np::point_t, internal_np::normal_t, internal_np::geom_traits_t,
            internal_np::callback_t, Tags...>;
 
-/// Whether a type is a point in space.
+/// Whether a type is a 3D point.
 template <typename T, typename = void>
 struct Is_point_3 : std::false_type
 {};
@@ -61,7 +60,7 @@ template <typename PointRange>
 using Element_of = typename std::iterator_traits<decltype(
   std::begin(std::declval<const PointRange&>()))>::value_type;
 
-/// The property map of a call: the one it names, or the identity.
+/// The point map of a call, default the identity.
 template <typename PointRange, typename NamedParameters>
 using Point_map_of = std::decay_t<typename internal_np::Lookup_named_param_def<
   internal_np::point_t, NamedParameters,
@@ -74,17 +73,17 @@ Point_map_of<PointRange, NamedParameters> point_map_of(const PointRange&, const 
     parameters::get_parameter(np, internal_np::point_map));
 }
 
-/// Whether that gives points.
+/// Whether the point map gives 3D points.
 template <typename PointRange, typename NamedParameters>
 using Maps_to_points = Is_point_3<std::decay_t<
   typename boost::property_traits<Point_map_of<PointRange, NamedParameters>>::value_type>>;
 
-/// The traits that a call with these parameters works with.
+/// The geometric traits of a call.
 template <typename PointRange, typename NamedParameters>
 using Geom_traits_of =
   typename Point_set_processing_3_np_helper<PointRange, NamedParameters>::Geom_traits;
 
-/// Whether a tag asks for all threads.
+/// The concurrency that a tag asks for.
 template <typename ConcurrencyTag>
 constexpr Concurrency concurrency_of()
 {
@@ -95,7 +94,7 @@ constexpr Concurrency concurrency_of()
   return parallel ? Concurrency::parallel : Concurrency::sequential;
 }
 
-/// The callback, copied: a reference could outlive the temporary it was given as.
+/// Returns the callback as a copy: a reference could outlive a temporary.
 template <typename NamedParameters>
 Progress progress_of(const NamedParameters& np)
 {
@@ -103,6 +102,7 @@ Progress progress_of(const NamedParameters& np)
     parameters::get_parameter(np, internal_np::callback), std::function<bool(double)>()));
 }
 
+/// The named parameter `single_component`.
 template <typename NamedParameters>
 bool is_single_component(const NamedParameters& np)
 {

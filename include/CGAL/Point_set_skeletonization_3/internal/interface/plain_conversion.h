@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-// Normalised internals to plain data in the coordinates of the input, and back.
+// Conversions between normalised internal data and plain data in the coordinates of the input.
 
 inline Vector3 to_vector(const Plain_point& p) { return {p[0], p[1], p[2]}; }
 
@@ -50,7 +50,9 @@ inline Plain_box plain_box(const Normalization& normalization)
   return {{{lower.x(), lower.y(), lower.z()}}, {{upper.x(), upper.y(), upper.z()}}, true};
 }
 
-/// By the box, or where it is not known by that of the means of patches.
+/// Returns the normalisation by `box` or, if it is unknown, by the bounding box of the means of
+/// patches.
+/// \throws std::invalid_argument that names the first mean that is not finite
 template <typename PatchOf, typename Range>
 Normalization normalization_of(const Plain_box& box, const Range& range, const PatchOf& patch_of)
 {

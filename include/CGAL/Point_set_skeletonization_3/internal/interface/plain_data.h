@@ -14,8 +14,8 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-// What the stages hand out, in the coordinates of the input, and without a kernel: the public data
-// structures are made from it.
+// The results of the stages in the coordinates of the input, without a kernel; public data
+// structures are made from them.
 
 using Plain_point = std::array<double, 3>;
 
@@ -37,7 +37,7 @@ struct Plain_mixture
 {
   Plain_box box;
   std::vector<std::vector<Plain_gaussian>> levels; ///< Finest level first.
-  double cell_size = 0;                            ///< Of the finest level; 0: it has no cells.
+  double cell_size = 0;                            ///< Of the finest level; 0: no cells.
 };
 
 struct Plain_sample
@@ -73,13 +73,14 @@ struct Plain_skeleton
   std::vector<std::pair<std::size_t, std::size_t>> edges;
 };
 
-/// The lists of the points of every vertex, of whatever type, to be filled.
+/// Access to the index lists of all vertices, whatever their type.
 struct Index_lists
 {
   std::size_t bytes_of_index; ///< 1, 2, 4 or 8.
-  /// Makes room for a number of indices in the list of a vertex.
+  /// Reserves capacity for the list of a vertex.
   std::function<void(std::size_t vertex, std::size_t capacity)> reserve;
-  /// Makes the list of a vertex as long, and returns its first index. May be called concurrently.
+  /// Resizes the list of a vertex and returns its data. May be called concurrently for different
+  /// vertices.
   std::function<void*(std::size_t vertex, std::size_t size)> resize;
 };
 

@@ -27,7 +27,7 @@
 #include <utility>
 #include <vector>
 
-// Plain data to public data structures of the user's kernel, and back.
+// Conversions between plain data and public data structures of the user's kernel. O(size).
 
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
@@ -137,8 +137,8 @@ Plain_samples to_plain(const Medial_samples_3<GeomTraits>& samples)
   return result;
 }
 
-/// The points of a range through a property map. Refers to the range. Advances an iterator through it
-/// once: O(blocks) for random access, else O(n).
+/// Returns the points of a range through a property map; refers to the range. Advances an iterator
+/// through it once: O(blocks) for random access, else O(n).
 template <typename PointRange, typename PointMap>
 Point_source point_source(const PointRange& points, const PointMap& map)
 {
@@ -166,7 +166,7 @@ Point_source point_source(const PointRange& points, const PointMap& map)
   return result;
 }
 
-/// The list of the points that a vertex of `Graph` stands for; `void` if it has none.
+/// The type of the list of points of a vertex of `Graph`; `void` if it has none.
 template <typename Graph, typename = void>
 struct Indices_of
 {
@@ -179,7 +179,7 @@ struct Indices_of<Graph, std::void_t<decltype(boost::vertex_bundle_type<Graph>::
   using type = decltype(boost::vertex_bundle_type<Graph>::type::indices);
 };
 
-/// The lists of the points of every vertex, by `fill(lists)`.
+/// Returns the lists of points of all vertices, filled by `fill(lists)`.
 /// \throws std::length_error if the points outnumber the values of an index
 template <typename Indices, typename Fill>
 std::vector<Indices> filled_indices(std::size_t points, std::size_t vertices, const Fill& fill)
@@ -203,7 +203,7 @@ std::vector<Indices> filled_indices(std::size_t points, std::size_t vertices, co
   return result;
 }
 
-/// Replaces `skeleton` by a public graph; `fill(lists)` fills the lists of the `points` of every vertex.
+/// Replaces `skeleton` by a public graph; `fill(lists)` fills the lists of `points` points.
 template <typename GeomTraits, typename SkeletonGraph, typename Fill>
 void set_public_skeleton(const Plain_skeleton& plain, std::size_t points, const Fill& fill,
                          SkeletonGraph& skeleton)
@@ -217,7 +217,8 @@ void set_public_skeleton(const Plain_skeleton& plain, std::size_t points, const 
   }
   for(const auto& e : plain.edges)
     add_edge(vertex(e.first, result), vertex(e.second, result), result);
-  // BGL graphs are copied, so without the indices. These come before, as they may not fit.
+  // Assignment copies a BGL graph, so indices are moved in afterwards. They are made before, as
+  // this may throw.
   using Indices = typename Indices_of<SkeletonGraph>::type;
   if constexpr(std::is_void<Indices>::value)
     skeleton = result;

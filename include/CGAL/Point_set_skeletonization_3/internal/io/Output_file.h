@@ -18,8 +18,8 @@ namespace Point_set_skeletonization_3 {
 namespace internal {
 
 /// A text file that appears under its name only when it is complete: it is written to
-/// `filename.part` beside it and renamed by `commit()`. Whatever happens before that, an exception
-/// or a full disk, leaves an older file of that name as it was and no other file behind.
+/// `filename.part` and renamed by `commit()`. If an exception or a full disk prevents that, an
+/// older file of that name is unchanged and no other file is left.
 class Output_file
 {
 public:
@@ -29,7 +29,7 @@ public:
   {
     if(!stream_)
       fail("cannot create", "check that the folder exists and may be written to");
-    // Not the program's locale, which might write a comma, and all digits of a double.
+    // Not the locale of the program, which might write commas; all digits of a double.
     stream_.imbue(std::locale::classic());
     stream_.precision(std::numeric_limits<double>::max_digits10);
   }
@@ -48,10 +48,11 @@ public:
 
   std::ostream& stream() { return stream_; }
 
-  /// Puts the file in its place. \throw std::runtime_error if not all of it could be written
+  /// Renames the file to its final name.
+  /// \throw std::runtime_error if not all of it could be written
   void commit()
   {
-    stream_.close(); // the last bytes go to the disk here, so only now an error shows
+    stream_.close(); // flushes: errors may appear only here
     if(!stream_)
       fail("cannot write", "check the free space on the disk");
     std::error_code error;

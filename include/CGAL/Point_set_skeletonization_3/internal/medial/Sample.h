@@ -12,15 +12,16 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Where a patch of the surface moved to in the middle of the shape.
+/// A point in the middle of the shape that belongs to a patch, in normalised coordinates.
 struct Sample
 {
   Vector3 position = Vector3::Zero();
-  double radius = 0; ///< Distance to the nearest patch that it sees from inside; 0 if it sees none.
+  double radius = 0; ///< Distance to the nearest patch visible from inside; 0: none is.
 };
 
-using Samples = std::vector<Sample>; ///< One for every patch, in their order.
+using Samples = std::vector<Sample>; ///< One per patch, in their order.
 
+/// Returns the positions, in the same order. O(n).
 inline std::vector<Vector3> positions_of(const Samples& samples)
 {
   std::vector<Vector3> result;

@@ -22,16 +22,16 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The balls between the patches whose orientation can be trusted.
+/// Balls that touch two patches whose orientation is trusted.
 class Facing_balls
 {
 public:
-  /// `tree` is over the patches.
+  /// `tree` is over the patches; `confidence` is that of their orientation. O(n).
   Facing_balls(const Patches& patches, const std::vector<double>& confidence, const Box_tree& tree,
                const Surface_options& options)
     : box_tree_(tree), tree_(tree), facing_(static_cast<float>(options.opposite_normals))
   {
-    std::vector<Vector3> normals(patches.size(), Vector3::Zero()); // which faces nothing
+    std::vector<Vector3> normals(patches.size(), Vector3::Zero()); // a zero vector faces nothing
     for(std::size_t i = 0; i < patches.size(); ++i)
       if(confidence[i] >= options.trusted_orientation)
         normals[i] = patches[i].normal;
@@ -41,13 +41,14 @@ public:
       normals_.push_back(normals[i].cast<float>());
   }
 
-  /// Radii of the balls that touch a patch from inside and a patch that faces it: of the three
-  /// smallest the largest, so that two stray patches cannot make one. 0: nothing faces the patch.
+  /// Returns for each patch the radius of the third smallest ball that touches it from inside and a
+  /// patch that faces it, so that two outliers cannot make a wrong ball. 0 if fewer than three
+  /// patches face it. O(n log n) in practice.
   std::vector<double> radii(Concurrency concurrency) const
   {
     const std::vector<std::size_t>& order = box_tree_.order();
     std::vector<double> result(order.size(), 0);
-    constexpr std::size_t task_size = 16 * packet_size; // of patches next to each other
+    constexpr std::size_t task_size = 16 * packet_size; // consecutive patches
     const std::size_t tasks = (order.size() + task_size - 1) / task_size;
     parallel_for(concurrency, tasks, [&](std::size_t task) {
       Leaves touched;
@@ -63,10 +64,10 @@ public:
   }
 
 private:
-  /// Begin and end of the patches of leaves.
+  /// Ranges of patches of leaves.
   using Leaves = std::vector<std::pair<std::size_t, std::size_t>>;
 
-  /// The smallest balls of patches next to each other.
+  /// Packet query: the three smallest balls of eight consecutive patches.
   class Packet
   {
   public:
@@ -76,14 +77,15 @@ private:
         normal_(packet_of([&](std::size_t k) { return all.normals_[all.bounded(first + k)]; }))
     {}
 
-    /// That of the third smallest.
+    /// Radius of the third smallest ball of the `k`-th patch; 0 if there is none.
     double radius(std::size_t k) const
     {
       const auto curvature = static_cast<double>(third_[static_cast<Eigen::Index>(k)]);
       return curvature > 0 ? 1 / curvature : 0;
     }
 
-    /// Whether one of the patches from `begin` to before `end` touches a ball that was larger.
+    /// Tests the patches from `begin` to before `end`. Returns whether a third smallest ball became
+    /// smaller.
     bool look_at(std::size_t begin, std::size_t end)
     {
       const Packet_values before = third_;
@@ -104,7 +106,7 @@ private:
       third_ = third_.max(second_rest);
     }
 
-    /// Whether one of the patches of a node may face one of the packet and touch its balls.
+    /// Whether a patch of `node` may face one of the packet and touch its third smallest ball.
     bool may_matter(std::size_t node) const
     {
       const Eigen::AlignedBox3f &box = all_.tree_.boxes()[node],
@@ -114,7 +116,7 @@ private:
         (normal_.x * least_normal.x()).min(normal_.x * most_normal.x()) +
         (normal_.y * least_normal.y()).min(normal_.y * most_normal.y()) +
         (normal_.z * least_normal.z()).min(normal_.z * most_normal.z());
-      // Of the points of the box the one with the least power to the largest ball.
+      // The point of the box with the least power with respect to the ball.
       const Packet_values radius = 1 / third_.max(least);
       const Packet_vectors lower = mean_.to((box.min)()), upper = mean_.to((box.max)());
       const Packet_vectors d{(-radius * normal_.x).max(lower.x).min(upper.x),
@@ -129,15 +131,15 @@ private:
 
     const Facing_balls& all_;
     Packet_vectors mean_, normal_;
-    // The curvatures of the three smallest, the smallest ball first; 0: there is none.
+    // Curvatures of the three smallest balls, the smallest ball first; 0: none.
     Packet_values first_ = Packet_values::Zero(), second_ = Packet_values::Zero(), third_ = Packet_values::Zero();
   };
 
-  /// Finds the smallest balls of a packet. Begins with the leaves that those of the packet before touch, and
-  /// leaves behind which ones they do.
+  /// Finds the smallest balls of a packet. Starts with the leaves `touched` by those of the packet
+  /// before, and replaces them by its own.
   void find_smallest(Packet& balls, Leaves& touched) const
   {
-    constexpr std::size_t most = 8; // leaves, all around a limb
+    constexpr std::size_t most = 8; // leaves around a limb
     const Leaves likely = std::exchange(touched, {});
     const auto look_into = [&](const Leaves::value_type& leaf) {
       if(balls.look_at(leaf.first, leaf.second))
@@ -149,7 +151,7 @@ private:
       if(std::find(likely.begin(), likely.end(), leaf) == likely.end())
         look_into(leaf);
     });
-    if(touched.size() > most) // the balls were smaller when the last ones were found
+    if(touched.size() > most) // the last ones touch the smallest balls
       touched.erase(touched.begin(), touched.end() - most);
   }
 
@@ -157,13 +159,13 @@ private:
 
   Box_tree box_tree_;
   Packet_tree tree_;
-  float facing_; ///< Cosine of normals below which they face each other.
-  std::vector<Eigen::AlignedBox3f> normal_boxes_; ///< Of every node of the tree.
-  std::vector<Eigen::Vector3f> normals_; ///< In the order of the tree; 0 if not to be trusted.
+  float facing_; ///< Cosine of two normals below which they face each other.
+  std::vector<Eigen::AlignedBox3f> normal_boxes_; ///< Of each node of the tree.
+  std::vector<Eigen::Vector3f> normals_; ///< In the order of the tree; 0 if not trusted.
 };
 
-/// The median of a dozen values, by counting for every one how many are less: one after the other that is faster
-/// than to sort, where no processor can guess which of two is. \pre there is one
+/// Returns the upper median of about a dozen values by counting for each how many are less. That is
+/// O(n^2), but faster than sorting, whose branches are unpredictable. \pre there is a value
 inline double median_of_few(const std::vector<double>& values)
 {
   const auto middle = static_cast<int>(values.size() / 2);
@@ -176,10 +178,11 @@ inline double median_of_few(const std::vector<double>& values)
     if(less <= middle && middle < no_greater)
       return candidate;
   }
-  return values.front(); // never: one of them is in the middle
+  return values.front(); // unreachable
 }
 
-/// One pass of a median filter over the neighbours on the surface that have a value (> 0).
+/// Returns for each patch the median of the known values (> 0) of the patch and its neighbours: one
+/// pass of a median filter. O(n).
 inline std::vector<double> median_filtered(const std::vector<double>& values,
                                            const Patches& patches, Concurrency concurrency)
 {
@@ -199,11 +202,11 @@ inline std::vector<double> median_filtered(const std::vector<double>& values,
   return result;
 }
 
-/// Bounds every value by those of the patches around it plus a share of the way there. Patches without a
-/// value (> 0) get one.
+/// Lowers each value to at most those of adjacent patches plus `slope` times their distance.
+/// Unknown values (0) become this bound.
 inline void limit_slope(std::vector<double>& values, const Patches& patches, double slope)
 {
-  std::vector<std::size_t> queue; // in any order: it ends with the same values
+  std::vector<std::size_t> queue; // label-correcting: any order gives the same values
   std::vector<bool> waits(values.size(), true);
   for(std::size_t i = 0; i < values.size(); ++i)
     queue.push_back(i);
@@ -224,11 +227,11 @@ inline void limit_slope(std::vector<double>& values, const Patches& patches, dou
   }
 }
 
-/// The radius of the medial ball at every patch: how thick the shape is there. Shrinking balls (Ma
-/// et al. 2012) are at the mercy of every patch nearby; restricted to patches that face each other
-/// the relative error is that of the patches over the thickness. Three passes of a median filter
-/// remove what is left of outliers, and patches without a ball get that of their surroundings; 0 where
-/// there is none at all. `slope` bounds how much the radius changes along the surface.
+/// Returns the radius of the medial ball at each patch. Shrinking balls (Ma et al. 2012) depend on
+/// every patch nearby; among patches that face each other the relative error is that of the patches
+/// over the thickness. Three passes of a median filter remove outliers; patches without a ball get
+/// the radius of their surroundings, 0 if there is none. `slope` bounds the change of the radius
+/// along the surface. O(n log n) in practice.
 inline std::vector<double> medial_ball_radii(const Surface& surface, double slope,
                                              Concurrency concurrency)
 {

@@ -18,15 +18,16 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// What a medial ball may be like.
+/// Options of part 2c, medial samples.
 struct Medial_options
 {
-  /// How much the radius may change over a path along the surface: thickness changes no faster. What
-  /// faces the tip of a limb is the body at its other end, not the tip's other side.
+  /// Greatest change of the radius over a path along the surface, per length, > 0: thickness
+  /// changes no faster. What faces the tip of a limb is the body at its other end, not the other
+  /// side of the tip.
   double slope = 0.5;
 
-  /// Radii that a sample may be away from its patch, beside one spacing. A limb is wider than thick,
-  /// and in a flat part a sample slides along its medial sheet.
+  /// Radii, >= 1; greatest distance of a sample from its patch, plus one spacing. A limb is wider
+  /// than thick, and in a flat part a sample slides along its medial sheet.
   double reach = 3;
 
   void check() const { CGAL_precondition(slope > 0 && reach >= 1); }
@@ -40,9 +41,10 @@ struct Medial_options
   }
 };
 
-/// Moves every patch of a surface to the centre of its medial ball. The sample of a patch stays on the
-/// patch where its orientation is in doubt, or the ball is outside of the shape or does not reach the
-/// patch: there the normal is wrong, or it is a twig that has no inside. O(n log n).
+/// Part 2c: returns for each patch the centre of its medial ball and the distance to the nearest
+/// visible patch. The sample stays on its patch if the orientation is not trusted, the centre is
+/// outside the shape, or the ball does not reach the patch: the normal is wrong, or a twig is too
+/// thin to have an inside. O(n log n) in practice.
 inline Samples medial_samples(const Surface& surface, const Medial_options& options,
                               Concurrency concurrency)
 {
@@ -51,7 +53,7 @@ inline Samples medial_samples(const Surface& surface, const Medial_options& opti
   const Patches& patches = surface.patches;
   const std::vector<double> balls = medial_ball_radii(surface, options.slope, concurrency);
 
-  std::vector<Vector3> centers; // in the order of the tree: those next to each other are close
+  std::vector<Vector3> centers; // in the order of the tree, so that consecutive ones are close
   centers.reserve(patches.size());
   for(std::size_t i : surface.tree.order())
     centers.push_back(patches[i].mean - balls[i] * patches[i].normal);

@@ -12,9 +12,9 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// A hash table from packed cells to small values, with open addressing and Fibonacci hashing (Knuth,
-/// The Art of Computer Programming 6.4). At most half of its slots are taken, so that a cell is nearly
-/// always in the first or second slot that is looked at.
+/// A hash table from packed cells to small values, with open addressing and Fibonacci hashing
+/// (Knuth, The Art of Computer Programming 6.4). At most half of its slots are taken, so that a
+/// cell is nearly always in the first or second slot probed.
 template <typename Value>
 class Cell_map
 {
@@ -32,7 +32,7 @@ public:
   /// Number of cells.
   std::size_t size() const { return size_; }
 
-  /// The value of a cell; a new cell gets a default one.
+  /// The value of a cell, which is added with a default value if it is new. O(1).
   Value& operator[](std::uint64_t cell)
   {
     if(2 * size_ >= slots_.size())
@@ -45,10 +45,10 @@ public:
     return slot.value;
   }
 
-  /// The value of a cell. \pre it is there
+  /// The value of a cell. O(1). \pre it is in the table
   const Value& at(std::uint64_t cell) const { return slots_[slot_of(cell)].value; }
 
-  /// Calls `visit(cell, value)` for every cell, in no particular order.
+  /// Calls `visit(cell, value)` for each cell, in unspecified order.
   template <typename Visit>
   void for_each(const Visit& visit) const
   {
@@ -68,7 +68,7 @@ private:
 
   std::size_t capacity() const { return std::size_t(1) << (64 - shift_); }
 
-  /// Where a cell is, or would be.
+  /// The slot of a cell, or the free slot where it would be.
   std::size_t slot_of(std::uint64_t cell) const
   {
     constexpr std::uint64_t golden_ratio = 0x9E3779B97F4A7C15u; // times 2^64
@@ -90,7 +90,7 @@ private:
   }
 
   std::vector<Slot> slots_; ///< Their number is a power of two.
-  int shift_ = 64 - 7;      ///< Leaves the first bits of a hash, the number of a slot.
+  int shift_ = 64 - 7;      ///< 64 minus log2 of the capacity: shifts a hash to a slot.
   std::size_t size_ = 0;
 };
 

@@ -18,15 +18,17 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// A set of cells. Those of a block of 4 x 4 x 4 are bits of one number: little memory to go through.
+/// A set of cells. The cells of a block of 4 x 4 x 4 are the bits of one number, which saves
+/// memory.
 class Cell_set
 {
 public:
   std::size_t size() const { return size_; }
 
-  /// Number of blocks that have cells.
+  /// Number of blocks with cells.
   std::size_t number_of_blocks() const { return blocks_.size(); }
 
+  /// Adds a cell. O(1).
   void insert(const Grid_cell& cell)
   {
     const int place = (cell[0] & 3) << 4 | (cell[1] & 3) << 2 | (cell[2] & 3);
@@ -35,7 +37,7 @@ public:
     cells |= std::uint64_t(1) << place;
   }
 
-  /// Adds the cells of another set.
+  /// Adds the cells of another set. O(blocks of the smaller one).
   void add(Cell_set other)
   {
     if(number_of_blocks() < other.number_of_blocks())
@@ -43,7 +45,7 @@ public:
     other.blocks_.for_each([&](std::uint64_t block, std::uint64_t cells) { insert(block, cells); });
   }
 
-  /// The cells twice as wide around them.
+  /// Returns the cells of twice the width that contain these. O(blocks).
   Cell_set coarsened() const
   {
     Cell_set result;
@@ -56,7 +58,7 @@ public:
     return result;
   }
 
-  /// The cells, packed; those of a block one after the other.
+  /// Returns the cells, packed; those of a block are consecutive. O(cells).
   std::vector<std::uint64_t> cells() const
   {
     std::vector<std::uint64_t> result;
@@ -64,7 +66,7 @@ public:
     blocks_.for_each([&](std::uint64_t code, std::uint64_t cells) {
       const Grid_cell block = unpacked(code);
       for(int place = 0; cells != 0; ++place, cells >>= 1) {
-        for(; (cells & 0xFF) == 0; place += 8) // few are occupied
+        for(; (cells & 0xFF) == 0; place += 8) // most cells are empty
           cells >>= 8;
         if((cells & 1) != 0)
           result.push_back(packed({{4 * block[0] + (place >> 4), 4 * block[1] + (place >> 2 & 3),
@@ -82,7 +84,8 @@ private:
     known |= cells;
   }
 
-  /// The cells of a block twice as wide, in its corner: two become one along every axis in turn.
+  /// The cells of a block at twice the width, in its lower corner: merges two along each axis in
+  /// turn.
   static std::uint64_t coarsened(std::uint64_t cells)
   {
     constexpr std::array<std::pair<int, std::uint64_t>, 3> axes = {

@@ -14,15 +14,15 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// A cell of a cubic grid around the origin, by its lower corner in units of its edge length.
+/// A cell of a cubic grid around the origin: its lower corner in units of its edge length.
 using Grid_cell = std::array<std::int32_t, 3>;
 
-/// Bits of a cell's place on an axis: normalised coordinates lie between -1 and 1, and the finest
-/// cells are 1/4096 wide, which is finer than any patch.
+/// Bits of a cell coordinate: normalised coordinates are between -1 and 1, and the finest cells are
+/// 1/4096 wide, which is narrower than any patch.
 constexpr int finest_level = 12;
 constexpr int axis_bits = finest_level + 2;
 
-/// A cell as a number; the numbers are in lexicographic order.
+/// Returns a cell as a number; the order is lexicographic.
 inline std::uint64_t packed(const Grid_cell& cell)
 {
   std::uint64_t result = 0;
@@ -31,6 +31,7 @@ inline std::uint64_t packed(const Grid_cell& cell)
   return result;
 }
 
+/// The inverse of `packed()`.
 inline Grid_cell unpacked(std::uint64_t code)
 {
   Grid_cell cell;
@@ -39,15 +40,15 @@ inline Grid_cell unpacked(std::uint64_t code)
   return cell;
 }
 
-/// The greatest integer below; floor() is a call.
+/// Returns the greatest integer <= `x`; std::floor() would be a function call.
 inline std::int32_t rounded_down(double x)
 {
   const auto truncated = static_cast<std::int32_t>(x);
   return truncated - (x < truncated ? 1 : 0);
 }
 
-/// Finds the cell of a grid that holds a cell, `factor` times as narrow. The half keeps the quotient
-/// off whole numbers, so that it rounds to the same one as that of integers.
+/// Maps a cell to the cell, `factor` times as wide, that contains it. The half keeps the quotient
+/// away from integers, so that it is rounded like an integer division.
 class Cell_around
 {
 public:
@@ -64,7 +65,7 @@ private:
   double inverse_;
 };
 
-/// A cubic grid around the origin, whose cells are `factor` cells of edge length 2^-level wide.
+/// A cubic grid around the origin with cells of edge length `factor` times 2^-level.
 struct Cubic_grid
 {
   int level = finest_level;
@@ -76,19 +77,20 @@ struct Cubic_grid
   /// The grid with cells `by` times as wide.
   Cubic_grid coarsened(std::int32_t by) const { return {level, factor * by}; }
 
-  /// Finds the cells of this grid around those of one that is as fine or finer.
+  /// Maps cells of a grid that is as fine or finer to the cells of this grid that contain them.
   Cell_around around(const Cubic_grid& fine) const
   {
     return Cell_around((factor << (fine.level - level)) / fine.factor);
   }
 
+  /// Centre of a cell.
   Vector3 center(const Grid_cell& cell) const
   {
     return cell_size() * (Vector3(cell[0], cell[1], cell[2]) + Vector3::Constant(0.5));
   }
 };
 
-/// Finds the cell of a grid that holds a point.
+/// Maps a point to the cell of a grid that contains it.
 class Cell_of_point
 {
 public:
@@ -103,7 +105,7 @@ public:
   }
 
 private:
-  double fine_cells_; ///< To a unit of length.
+  double fine_cells_; ///< Per unit of length.
   Cell_around around_;
 };
 

@@ -30,42 +30,48 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// How fine the grid of the patches is.
+/// Options of stage 1: how fine the grid is.
 struct Grid_options
 {
-  /// Points a patch should hold on average: fewer make its normal noise, more lose thin limbs.
+  /// Average number of points of a patch, >= 1: fewer make its normal noisy, more lose thin limbs.
   double points_per_patch = 4;
 
-  /// The cost of all that follows depends on the patches only, so their number is bounded.
+  /// At most 65535. Bounds the running time of the later stages, which depends on the number of
+  /// patches only.
   std::size_t maximum_patches = 6000;
 
-  /// A cloud this small is all detail: every patch is kept.
+  /// At least 8. A cloud with up to this many points gets a patch for each distinct cell: all is
+  /// detail.
   std::size_t minimum_patches = 400;
 
-  /// Fine cells outnumber patches by far, so that widths can be chosen in small steps.
+  /// Greatest number of cells of the fine grid: far more than patches, so that widths can be chosen
+  /// in small steps.
   std::size_t maximum_fine_cells() const { return 32 * maximum_patches; }
 
+  /// Greatest number of patches of a cloud.
   std::size_t patches(std::size_t points) const
   {
     const auto wanted = static_cast<std::size_t>(static_cast<double>(points) / points_per_patch);
     return std::min(std::max(wanted, minimum_patches), maximum_patches);
   }
 
+  /// Checks all ranges.
   void check() const
   {
     CGAL_precondition(points_per_patch >= 1);
-    // The eight cells around the origin stay apart however wide they are.
+    // The eight cells around the origin are never merged.
     CGAL_precondition(minimum_patches >= 8 && minimum_patches <= maximum_patches);
-    CGAL_precondition(maximum_patches <= 65535); // so is an index of 16 bits, which points keep
+    CGAL_precondition(maximum_patches <= 65535); // points keep an index of 16 bits
   }
 };
 
-/// A level of a grid mixture: its cells, in ascending order, and the moments of their points.
+/// A level of a grid mixture: its cells, ascending, and the moments of their points.
 struct Grid_level
 {
   Cubic_grid grid;
   Moment_cells cells;
 
+  /// One Gaussian per cell, in normalised coordinates. O(cells).
   Gaussians gaussians() const
   {
     Gaussians result;
@@ -76,7 +82,7 @@ struct Grid_level
   }
 };
 
-/// A level without moments.
+/// Returns a level with these cells and no points. O(cells log cells).
 inline Grid_level empty_level(const Cubic_grid& grid, const Cell_set& set)
 {
   std::vector<std::uint64_t> cells = set.cells();
@@ -84,8 +90,8 @@ inline Grid_level empty_level(const Cubic_grid& grid, const Cell_set& set)
   return {grid, Moment_cells(cells)};
 }
 
-/// The finest level, without moments, with at most `wanted` cells around fine ones: the wider cells
-/// are, the fewer.
+/// Returns the finest level with at most `wanted` cells that contain the given cells of `fine`,
+/// without moments. Binary search over the width: O(cells) per step.
 inline Grid_level patch_level(const std::vector<std::uint64_t>& cells, const Cubic_grid& fine,
                               std::size_t wanted, Concurrency concurrency)
 {
@@ -97,8 +103,8 @@ inline Grid_level patch_level(const std::vector<std::uint64_t>& cells, const Cub
     found = std::move(around);
     return true;
   };
-  // The least power of two, wherever one begins: each of these grids is part of the next. A surface
-  // that is as large as the square over the diagonal would have about as many cells.
+  // First the least power of two, for which the number of cells is monotonic: these grids are
+  // nested. The search starts at the width for a surface with the area of the squared diagonal.
   std::int32_t wide = 1;
   while(std::ldexp(1, fine.level) > wide * std::sqrt(static_cast<double>(wanted)))
     wide *= 2;
@@ -117,7 +123,7 @@ inline Grid_level patch_level(const std::vector<std::uint64_t>& cells, const Cub
   return empty_level(fine.coarsened(wide), found);
 }
 
-/// The level of `grid` with the moments in the cells of a finer grid.
+/// Returns the level of `grid` with the moments of the cells of a finer grid. O(cells log cells).
 inline Grid_level coarser_level(const Cubic_grid& grid, const Moment_cells& cells,
                                 const Cubic_grid& fine)
 {
@@ -127,11 +133,11 @@ inline Grid_level coarser_level(const Cubic_grid& grid, const Moment_cells& cell
   return result;
 }
 
-/// Parts into which a large cloud is split: there is work for eight threads.
+/// Number of parts of a large cloud: work for eight threads.
 constexpr std::size_t cloud_parts = 8;
 
-/// The number of a cell for every point, in chunks that go back to the system one after the other. Of
-/// memory from the heap nobody knows whether it does, or stays as a gap between other things.
+/// The cell index of each point, in chunks whose memory can be returned to the system one after the
+/// other; the heap might keep it.
 class Cells_of_points
 {
 public:
@@ -149,7 +155,7 @@ public:
   std::uint16_t& operator[](std::size_t p) { return chunk_of(p)[p % chunk_size]; }
   std::uint16_t operator[](std::size_t p) const { return chunk_of(p)[p % chunk_size]; }
 
-  /// Gives back memory of the points below `end`, which must not be asked for any longer.
+  /// Returns the memory of points below `end`, which must not be accessed any more.
   void forget_below(std::size_t end)
   {
     for(std::size_t c = 0; c < end / chunk_size; ++c)
@@ -168,11 +174,11 @@ private:
   std::vector<boost::interprocess::mapped_region> chunks_;
 };
 
-/// Adds the points to the cells of `level`, and tells the cell of every point.
+/// Adds the points to the cells of `level`, and returns the cell of each point. O(points).
 inline Cells_of_points add_points(const Normalized_points& points, Grid_level& level,
                                   Concurrency concurrency, const Progress& progress)
 {
-  // The moments of parts are added up in order: the bits do not depend on the number of threads.
+  // The moments of parts are added in order: the result does not depend on the number of threads.
   constexpr std::size_t worth_a_part = 1 << 15; // several times as many points as cells
   std::vector<std::vector<Moments>> parts(
     std::min(cloud_parts, 1 + points.size() / worth_a_part));
@@ -198,13 +204,14 @@ inline Cells_of_points add_points(const Normalized_points& points, Grid_level& l
 /// points.
 struct Grid_mixture
 {
-  /// The first level is the finest grid with at most `options.patches()` cells, every next one has
-  /// cells twice as wide. None of no points.
+  /// The first level is the finest grid with at most `options.patches()` cells; each further one
+  /// has cells of twice the width. Empty without points.
   std::vector<Grid_level> levels;
 
-  /// The cell of every point in the first level; empty of points that were streamed.
+  /// The cell of each point in the first level; empty for points from a builder.
   Cells_of_points cell_of_point;
 
+  /// \pre there is a level
   void add_coarser_levels(std::size_t number_of_levels)
   {
     while(levels.size() < number_of_levels) {
@@ -214,7 +221,8 @@ struct Grid_mixture
   }
 };
 
-/// The mixture of `points`, which are read twice: for the width of the cells and for their moments.
+/// Stage 1: returns the mixture of `points`, which are read twice: for the width of the cells and
+/// for their moments. O(points).
 inline Grid_mixture grid_mixture(const Normalized_points& points, const Grid_options& options,
                                  std::size_t number_of_levels, Concurrency concurrency,
                                  const Progress& progress = Progress())
@@ -231,12 +239,12 @@ inline Grid_mixture grid_mixture(const Normalized_points& points, const Grid_opt
   return result;
 }
 
-/// The mixture of points that were streamed.
+/// The same for the moments of a builder. O(cells) per step of the search for the width.
 inline Grid_mixture grid_mixture(const Moment_grid& fine, const Grid_options& options,
                                  std::size_t number_of_levels)
 {
   options.check();
-  double points = 0; // exact
+  double points = 0; // exact: a sum of integers
   for(const Moments& moments : fine.cells().moments())
     points += moments.weight();
   Grid_mixture result;

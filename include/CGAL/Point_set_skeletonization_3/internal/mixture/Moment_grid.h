@@ -18,13 +18,13 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The moments of the points in the cells of a grid.
+/// The moments of the points in cells of a grid, about the centres of the cells.
 class Moment_cells
 {
 public:
   Moment_cells() = default;
 
-  /// Numbers different cells as they come; there is nothing in them.
+  /// With distinct cells in this order, without points. O(cells).
   explicit Moment_cells(const std::vector<std::uint64_t>& cells)
     : number_of_(cells.size()), cells_(cells), moments_(cells.size())
   {
@@ -34,26 +34,28 @@ public:
 
   std::size_t size() const { return cells_.size(); }
 
-  /// The place of a cell and its moments in the following. \pre it is one of them
+  /// Index of a cell and its moments. O(1). \pre it is one of them
   std::size_t number(const Grid_cell& cell) const { return number_of_.at(packed(cell)); }
 
   /// The cells, packed, and their moments, in the same order.
   const std::vector<std::uint64_t>& cells() const { return cells_; }
   const std::vector<Moments>& moments() const { return moments_; }
 
+  /// Adds a point to its cell. O(1).
   void add(const Cubic_grid& grid, const Grid_cell& cell, const Vector3& p)
   {
     moments_[inserted(cell)].add(1, p - grid.center(cell));
   }
 
-  /// Adds moments about the same centres, in the same order.
+  /// Adds moments about the same centres, in the same order. O(cells).
   void add(const std::vector<Moments>& others)
   {
     for(std::size_t i = 0; i < others.size(); ++i)
       moments_[i].add(others[i], Vector3::Zero());
   }
 
-  /// Adds the moments in `fine`, which is as fine as the grid of this one or finer; which is exact.
+  /// Adds the moments of the cells of `fine`, as fine as `grid` or finer; exact up to rounding.
+  /// O(cells).
   void add(const Cubic_grid& grid, const Moment_cells& other, const Cubic_grid& fine)
   {
     const Cell_around around = grid.around(fine);
@@ -64,7 +66,7 @@ public:
   }
 
 private:
-  /// The number of a cell, which may be new.
+  /// Index of a cell, which is added if it is new.
   std::size_t inserted(const Grid_cell& cell)
   {
     const std::size_t known = number_of_.size();
@@ -82,9 +84,8 @@ private:
   std::vector<Moments> moments_;
 };
 
-/// The moments of points in the cells of the finest cubic grid that has no more than a bounded number
-/// of them; it depends on the set of points only. Grids of parts of the points add up to the grid of
-/// all.
+/// The moments of points in the cells of the finest cubic grid with a bounded number of them, which
+/// depends on the set of points only. Grids of parts of the points add up to the grid of all.
 class Moment_grid
 {
 public:
@@ -93,12 +94,14 @@ public:
   const Cubic_grid& grid() const { return grid_; }
   const Moment_cells& cells() const { return cells_; }
 
+  /// Adds a point. O(1) amortised.
   void add(const Vector3& p)
   {
     cells_.add(grid_, cell_of_(p), p);
     limit();
   }
 
+  /// Adds the points of another grid. O(cells).
   void add(const Moment_grid& other)
   {
     coarsen_to(std::min(grid_.level, other.grid_.level));
@@ -107,7 +110,7 @@ public:
   }
 
 private:
-  /// The cells around the origin stay apart however wide they are, and there are no more than eight.
+  /// Coarsens until there are few enough. The eight cells around the origin are never merged.
   void limit()
   {
     while(cells_.size() > maximum_cells_)

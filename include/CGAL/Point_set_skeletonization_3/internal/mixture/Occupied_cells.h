@@ -21,13 +21,13 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Which cells are occupied by points, in a grid that gets coarser as they come. Memory is bounded by
-/// the number of blocks of cells, which are fewer than cells: so points may be read at a level that is
-/// finer by two than the one that is asked for, and that is found in the end.
+/// The cells that points occupy, in a grid that becomes coarser as points are added. It bounds the
+/// number of blocks of cells, not of cells: so points may be read at a level up to two finer than
+/// the one wanted, which is determined in the end.
 class Occupied_cells
 {
 public:
-  /// Of no points, at a level to begin with.
+  /// Without points, starting at `level`.
   Occupied_cells(int level, std::size_t maximum_blocks)
     : maximum_blocks_(maximum_blocks), grid_{level, 1}
   {}
@@ -41,7 +41,7 @@ public:
     limit();
   }
 
-  /// Adds the cells of other points.
+  /// Adds the cells of other points. O(blocks).
   void add(Occupied_cells other)
   {
     while(grid_.level > other.grid_.level)
@@ -52,6 +52,7 @@ public:
     limit();
   }
 
+  /// Doubles the width of the cells. O(blocks).
   void coarsen()
   {
     --grid_.level;
@@ -72,12 +73,12 @@ private:
   Cell_set cells_;
 };
 
-/// The level that the fine grid of a cloud probably has, as some of the points tell.
+/// Estimates the level of the fine grid of a cloud from at most 64 blocks of points.
 inline int probable_level(const Normalized_points& points, std::size_t maximum_cells)
 {
-  constexpr int coarse_level = 8; // far coarser than the fine grid of so many points
+  constexpr int coarse_level = 8; // far coarser than the result
   constexpr std::size_t blocks = 64;
-  constexpr std::size_t points_of_cell = 8; // on average: then hardly any cell has none of them
+  constexpr std::size_t points_of_cell = 8; // on average, so that hardly any cell is missed
   Occupied_cells some(coarse_level, maximum_cells);
   const std::size_t step = 1 + points.number_of_blocks() / blocks;
   std::size_t size = 0;
@@ -90,13 +91,13 @@ inline int probable_level(const Normalized_points& points, std::size_t maximum_c
     some.coarsen();
   int level = some.grid().level;
   for(std::size_t cells = 4 * some.cells().size(); cells <= maximum_cells && level < finest_level;
-      cells *= 4) // as a surface has
+      cells *= 4) // as on a surface
     ++level;
   return level;
 }
 
-/// The occupied cells of a cloud, read at a level; in the end a coarser one, if there are more than
-/// `maximum_cells`.
+/// Returns the occupied cells of a cloud, read at `level` and coarsened to at most `maximum_cells`.
+/// O(points).
 inline Occupied_cells occupied_cells(const Normalized_points& points, int level,
                                      std::size_t maximum_cells, Concurrency concurrency,
                                      const Progress& progress)
@@ -113,7 +114,8 @@ inline Occupied_cells occupied_cells(const Normalized_points& points, int level,
   return result;
 }
 
-/// The occupied cells of a cloud in the finest cubic grid that has no more than `maximum_cells`.
+/// Returns the occupied cells of a cloud in the finest cubic grid with at most `maximum_cells`.
+/// Reads the cloud again with finer cells if the estimated level was too coarse. O(points).
 inline Occupied_cells occupied_cells(const Normalized_points& points, std::size_t maximum_cells,
                                      Concurrency concurrency, const Progress& progress)
 {
@@ -122,19 +124,20 @@ inline Occupied_cells occupied_cells(const Normalized_points& points, std::size_
     level = std::min(level, probable_level(points, maximum_cells) + 1);
   for(;; ++level) {
     Occupied_cells result = occupied_cells(points, level, maximum_cells, concurrency, progress);
-    if(level == finest_level || result.grid().level < level) // else a finer one may do
+    if(level == finest_level || result.grid().level < level) // else a finer grid might do
       return result;
   }
 }
 
-/// Cells of a fine grid, packed, in no order; one may be there several times.
+/// Cells of a fine grid, packed, unordered, perhaps with duplicates.
 struct Fine_cells
 {
   Cubic_grid grid;
   std::vector<std::uint64_t> cells;
 };
 
-/// The occupied cells of a cloud in the finest cubic grid that has no more than `maximum_cells`.
+/// Returns the occupied cells of a cloud in the finest cubic grid with at most `maximum_cells`; if
+/// there are not more points, one cell per point in the finest grid. O(points).
 inline Fine_cells fine_cells(const Normalized_points& points, std::size_t maximum_cells,
                              Concurrency concurrency, const Progress& progress)
 {
@@ -142,7 +145,7 @@ inline Fine_cells fine_cells(const Normalized_points& points, std::size_t maximu
     const Occupied_cells occupied = occupied_cells(points, maximum_cells, concurrency, progress);
     return {occupied.grid(), occupied.cells().cells()};
   }
-  Fine_cells result; // one for every point: there is no need to know which are the same
+  Fine_cells result; // one per point, with duplicates
   result.cells.resize(points.size());
   const Cell_of_point cell_of(result.grid);
   parallel_for(concurrency, points.number_of_blocks(), [&](std::size_t b) {
@@ -153,7 +156,7 @@ inline Fine_cells fine_cells(const Normalized_points& points, std::size_t maximu
   return result;
 }
 
-/// The cells that `around` finds around packed ones; of more than `most` some may be missing.
+/// Returns the cells that contain packed ones; incomplete if there are more than `most`. O(cells).
 inline Cell_set cells_around(const std::vector<std::uint64_t>& cells, const Cell_around& around,
                              std::size_t most, Concurrency concurrency)
 {

@@ -18,14 +18,14 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Gaussians sorted into the occupied cells of a cubic grid.
+/// The occupied cell of a cubic grid of each Gaussian.
 struct Grid_cells
 {
-  std::vector<std::size_t> cell_of; ///< The cell of every Gaussian.
-  std::size_t size = 0;             ///< Number of cells; they are numbered in lexicographic order.
+  std::vector<std::size_t> cell_of; ///< The cell of each Gaussian.
+  std::size_t size = 0;             ///< Number of cells, which are in lexicographic order.
 };
 
-/// Sorts the means of Gaussians into cells of the given edge length.
+/// Returns the cells of the means of Gaussians. O(n log n). \pre the edge length `cell_size` is > 0
 inline Grid_cells grid_cells(const Gaussians& gaussians, double cell_size)
 {
   const std::size_t size = gaussians.size();
@@ -46,15 +46,15 @@ inline Grid_cells grid_cells(const Gaussians& gaussians, double cell_size)
   return result;
 }
 
-/// Merged Gaussians, and which of them each one went into.
+/// Merged Gaussians, and the index of the one that each was merged into.
 struct Merged_gaussians
 {
   Gaussians gaussians;
   std::vector<std::size_t> merged_into;
 };
 
-/// Merges the Gaussians whose means share a cell of a cubic grid; moments merge exactly. None are merged
-/// if the size of the cells is 0. O(n log n).
+/// Merges Gaussians whose means are in one cell of a cubic grid; moments stay exact. None are
+/// merged if `cell_size` is 0. O(n log n).
 inline Merged_gaussians merged_by_cell(const Gaussians& fine, double cell_size)
 {
   if(!(cell_size > 0)) {

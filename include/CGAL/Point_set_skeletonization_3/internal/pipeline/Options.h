@@ -12,14 +12,14 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The options of all stages. None needs to be set.
+/// The options of all stages; all have defaults.
 struct Options
 {
   Grid_options mixture;
   Medial_surface_options medial;
   Linking_options linking;
 
-  /// Calls `visit(name, value)` for every option that is a number: those that `quality sweep` moves.
+  /// Calls `visit(name, value)` for each numeric option, for `quality sweep`.
   template <typename Visit>
   void visit(const Visit& visit)
   {

@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// A skeleton, and the vertex of every sample.
+/// A skeleton, and the vertex of each sample.
 struct Linked_samples
 {
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -36,14 +36,16 @@ struct Linked_samples
   std::vector<std::size_t> vertex_of_sample; ///< `none` for outliers.
 };
 
+/// Options of stage 3.
 struct Linking_options
 {
   Separator_options separators;
   Curve_options curve;
 
-  /// Whether all parts are joined, not only those between which a gap in the data is plausible.
+  /// Whether all components are joined, not only across plausible gaps in the data.
   bool single_component = false;
 
+  /// Checks all ranges.
   void check() const
   {
     separators.check();
@@ -51,11 +53,11 @@ struct Linking_options
   }
 };
 
-/// Stage 3: samples to a curve skeleton.
+/// Stage 3: returns the curve skeleton of samples. O(n log n) in practice.
 ///
-/// \param noise in [0, 1], how much of it was taken off the surface
-/// \param points the points of the surface as they were read, noise and all, each with its sample: taking
-///        noise off draws what is curved to the inside. Those of a sample are next to each other
+/// \param noise strength of the noise removed, in [0, 1]
+/// \param points surface points before denoising, which shrinks curved surfaces, each with its
+///        sample; those of a sample are consecutive
 /// \pre there is a sample
 inline Linked_samples link_samples(const Surface& surface, const Samples& samples, double noise,
                                    std::vector<Surface_point> points,
@@ -63,7 +65,8 @@ inline Linked_samples link_samples(const Surface& surface, const Samples& sample
                                    const Progress& progress)
 {
   options.check();
-  // Without noise the ball of a patch is unknown where limbs touch; noise hides it in any thin limb.
+  // Unknown balls count as `noise`: without noise they are where limbs touch, with noise in any
+  // thin limb.
   const Ball_overlaps overlaps(surface, samples, noise, options.separators.overlap, concurrency);
   progress(0.1);
   const std::vector<Local_separator> separators =

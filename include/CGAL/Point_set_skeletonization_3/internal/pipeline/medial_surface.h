@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// A surface without noise, and a sample in the middle of the shape for each of its patches.
+/// A denoised surface, and a medial sample for each patch.
 struct Medial_surface
 {
   Consolidated_mixture consolidated;
@@ -25,6 +25,7 @@ struct Medial_surface
   Samples samples;
 };
 
+/// Options of stage 2.
 struct Medial_surface_options
 {
   Consolidation_options consolidation;
@@ -32,8 +33,9 @@ struct Medial_surface_options
   Medial_options samples;
 };
 
-/// Stage 2: the components of a mixture to samples in the middle of the shape. `cell_size` is the width
-/// of the cells that the components are the points of. \pre there is a component
+/// Stage 2: returns the denoised surface of mixture components and its medial samples. `cell_size`
+/// is the edge length of the grid cells of the components, 0 without a grid. O(n log n). \pre there
+/// is a component
 inline Medial_surface medial_surface(const Gaussians& components, double cell_size,
                                      const Medial_surface_options& options,
                                      Concurrency concurrency, const Progress& progress)

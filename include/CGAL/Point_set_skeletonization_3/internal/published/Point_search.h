@@ -29,9 +29,9 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// CGAL's kd-tree over indices of points.
-/// Queries are `const` and may run concurrently. Results are ordered by index or by distance and
-/// index, never by the layout of the tree.
+/// CGAL's kd-tree over indices of points. O(n log n) to build. Queries may run concurrently.
+/// Results are ordered by index, or by distance and index, and so do not depend on the layout of
+/// the tree.
 class Point_search
 {
   using Kernel = Simple_cartesian<double>;
@@ -75,8 +75,8 @@ public:
   Point_search(const Point_search&) = delete;
   Point_search& operator=(const Point_search&) = delete;
 
-  /// Writes the indices of all points closer than `radius` to `center` to `result`, ascending; those
-  /// at that very distance may be among them or not.
+  /// Writes the indices of all points closer than `radius` to `center` to `result`, ascending;
+  /// those at exactly that distance may be included or not.
   void within(const Vector3& center, double radius, std::vector<std::size_t>& result) const
   {
     result.clear();
@@ -87,7 +87,7 @@ public:
     std::sort(result.begin(), result.end());
   }
 
-  /// Writes the `k` points nearest to `center` to `result`, nearest first; fewer if there are fewer.
+  /// Writes the `k` points nearest to `center` to `result`, nearest first; all if there are fewer.
   void nearest(const Vector3& center, std::size_t k, std::vector<Neighbor>& result) const
   {
     result.clear();

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// theta_h(r) = exp(-16 r^2 / h^2), the fast decaying weight over the support radius h.
+/// Returns theta_h(r) = exp(-16 r^2 / h^2), a weight with support radius h.
 inline double theta(double squared_distance, double h)
 {
   return std::exp(-16 * squared_distance / (h * h));
@@ -46,14 +46,14 @@ struct Attraction_kernel
   }
 };
 
-/// A weighted sum of positions: numerator and denominator of a local median.
+/// A weighted sum of positions and the sum of weights: numerator and denominator of a local median.
 struct Pull
 {
   Vector3 weighted_position = Vector3::Zero();
   double weight = 0;
 };
 
-/// A mixture component, diagonalised once so that it can be attracted to with any kernel.
+/// A mixture component, diagonalised once for all kernels.
 class Attractor
 {
 public:
@@ -68,7 +68,8 @@ public:
   double weight() const { return weight_; }
   double largest_variance() const { return variance_[2]; }
 
-  /// The component's share in the closed form of Eq. 9 for a sample at `q` with kernel radius `h`.
+  /// Returns the term of this component in the closed form of Eq. 9, for a sample at `q` with
+  /// kernel radius `h`. O(1).
   Pull pull(const Vector3& q, double h) const
   {
     const Vector3 y = axes_.transpose() * (q - mean_);
@@ -96,9 +97,9 @@ private:
   Vector3 variance_;
 };
 
-/// F1 for points instead of Gaussians (Eq. 3 and 5), `weights` being 1 or 1/density (Eq. 7): the
-/// reference for the closed form. A point at `q` itself has an infinite weight in Eq. 5; it counts
-/// as if it lay 0.01 h away, the lower end of the kernel's range.
+/// Returns F1 for points instead of Gaussians (Eq. 3 and 5): the reference for the closed form.
+/// `weights` are 1 or 1/density (Eq. 7). A point at `q` itself has infinite weight in Eq. 5; it
+/// counts as if it were 0.01 h away, the lower end of the range of the kernel. O(n).
 inline Vector3 attraction_to_points(const Vector3& q, double h, const std::vector<Vector3>& points,
                                     const std::vector<double>& weights)
 {

@@ -32,18 +32,17 @@ namespace internal {
 /// Thresholds of Algorithm 1, named as in the paper.
 struct Branch_detection_options
 {
-  /// The angle between adjacent segments of a branch exceeds this; radians, in [0, pi), where pi
-  /// would be straight on.
+  /// Least angle between adjacent segments of a branch; radians, in [0, pi), where pi is straight.
   double alpha_min = CGAL_PI / 2;
 
-  /// Components a branch has at least, 2 or more.
+  /// Least number of components of a branch, >= 2.
   std::size_t b_min = 5;
 
-  /// A branch starts from a pair of components closer than this; in units of the spacing, the
+  /// A branch starts from a pair of components closer than this, > 0; in units of the spacing, the
   /// median distance of a component to its nearest one. The paper's 0.1 % of the bounding box
-  /// diagonal is below the spacing of any mixture of usual size, so that no branch would ever start.
-  /// Gaps along randomly sampled curves are up to 4 spacings wide in 99 of 100 cases, and hardly
-  /// ever 5; pairs further apart are scattered leftovers.
+  /// diagonal is below the spacing of any mixture of usual size, so that no branch would start.
+  /// Gaps along randomly sampled curves are at most 4 spacings wide in 99 of 100 cases, hardly ever
+  /// 5; pairs further apart are scattered leftovers.
   double d_max = 5;
 
   void check() const
@@ -54,8 +53,8 @@ struct Branch_detection_options
   }
 };
 
-/// The angle at `b` between the segments to `a` and to `c`, in [0, pi]. A segment without length
-/// has no direction to turn away from and counts as straight on.
+/// Returns the angle at `b` between the segments to `a` and to `c`, in [0, pi]; pi if a segment has
+/// no length.
 inline double angle_at(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const Vector3 u = a - b, v = c - b;
@@ -161,7 +160,7 @@ private:
     Branch branch{j, i};
     take(i);
     take(j);
-    grow_end(branch); // the head, as the branch is held the other way round
+    grow_end(branch); // the head: the branch is reversed
     std::reverse(branch.begin(), branch.end());
     grow_end(branch);
     return branch;
@@ -195,8 +194,8 @@ private:
   std::priority_queue<Pair, std::vector<Pair>, std::greater<Pair>> pairs_;
 };
 
-/// Branches of `mixture`, disjoint, in the order they are found: Algorithm 1 of the paper, in
-/// O(n^2) time and O(n) memory. None if no chain has `options.b_min` components.
+/// Returns disjoint branches of `mixture` in the order in which Algorithm 1 finds them; none if no
+/// chain has `options.b_min` components. O(n^2) time, O(n) memory.
 inline std::vector<Branch> detect_branches(const Gaussians& mixture,
                                            const Branch_detection_options& options)
 {
@@ -204,9 +203,9 @@ inline std::vector<Branch> detect_branches(const Gaussians& mixture,
   return Branch_detection(mixture, options).run(options.b_min);
 }
 
-/// As `detect_branches()`, but never without a branch unless `mixture` is empty. The paper does not
-/// say what a shape without a long branch is. Here `b_min` is lowered until there is a branch, so
-/// that a small or short shape shows its longest chains; and components that make no chain at all
+/// As `detect_branches()`, but with at least one branch unless `mixture` is empty. The paper does
+/// not define the skeleton of a shape without a long branch. Here `b_min` is lowered until there is
+/// a branch, so that a small or short shape gives its longest chains; components that form no chain
 /// (one, or all at one place) give the heaviest of them.
 inline std::vector<Branch> detect_longest_branches(const Gaussians& mixture,
                                                    Branch_detection_options options)

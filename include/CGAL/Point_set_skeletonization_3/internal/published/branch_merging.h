@@ -32,9 +32,9 @@ struct Branch_link
   }
 };
 
-/// The pairs of components that join branches: a minimum spanning tree of the branches under d_M, one
-/// link fewer than there are branches. The paper joins the closest two of all clusters at a time, which
-/// gives the same tree.
+/// Returns the pairs of components that join branches: a minimum spanning tree of the branches
+/// under d_M. The paper repeatedly joins the closest two clusters, which gives the same tree. O(n^2
+/// log n).
 inline std::vector<Branch_link> branch_links(const Gaussians& mixture,
                                              const std::vector<Branch>& branches)
 {
@@ -54,10 +54,9 @@ inline std::vector<Branch_link> branch_links(const Gaussians& mixture,
     });
 }
 
-/// The skeleton through `branches`: vertices at the means of their components, branch by branch,
-/// edges along the branches, and links between them at the pairs of components that are closest
-/// under d_M, until everything is connected. Always a tree, whose radii are left 0; empty if there
-/// are no branches.
+/// Returns the skeleton through `branches`: vertices at the means of their components, edges along
+/// the branches, and links between them at the pairs of components closest under d_M. Always a
+/// tree, with radii 0; empty without branches. O(n^2 log n).
 /// \pre the branches are disjoint and not empty, as those of `detect_branches()` are
 inline Skeleton_graph link_branches(const Gaussians& mixture, const std::vector<Branch>& branches)
 {

@@ -25,9 +25,8 @@ inline bool lexicographically_less(const Vector3& a, const Vector3& b)
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
 
-/// A total order of Gaussians: by mean, then weight, then covariance. Gaussians that are equivalent
-/// have the same bits up to the sign of zero, so a sorted mixture does not depend on its former
-/// order.
+/// A total order of Gaussians: by mean, weight, covariance. Equivalent Gaussians have the same bits
+/// up to the sign of zero, so a sorted mixture does not depend on its order before.
 inline bool lexicographically_less(const Gaussian& a, const Gaussian& b)
 {
   if(a.mean != b.mean)
@@ -38,14 +37,14 @@ inline bool lexicographically_less(const Gaussian& a, const Gaussian& b)
                                       b.covariance.data(), b.covariance.data() + 9);
 }
 
-/// `covariance` plus `fraction` of its mean variance in every direction, which bounds its condition
-/// number by `1 + 3 / fraction`. A covariance that has no extent but rounding becomes the one of a
-/// standard deviation of 10^-6 bounding box diagonals: below any spacing.
+/// Returns `covariance` plus `fraction` of its mean variance in every direction, which bounds the
+/// condition number by `1 + 3 / fraction`. If it is zero up to rounding, a standard deviation of
+/// 10^-6 bounding box diagonals, below any spacing.
 inline Matrix3 regularized(const Matrix3& covariance, double fraction)
 {
   constexpr double pointlike_variance = 1e-12;
   const double variance = covariance.trace() / 3;
-  // An extent below 10^-12 diagonals is rounding: coordinates themselves have no more digits.
+  // An extent below 10^-12 diagonals is rounding of the coordinates.
   const double added = variance > 1e-24 ? fraction * variance : pointlike_variance;
   return covariance + added * Matrix3::Identity();
 }
@@ -57,8 +56,8 @@ public:
   /// \pre `covariance` is positive semidefinite
   explicit Precision(const Matrix3& covariance)
   {
-    // Changes no digit that matters of a well-conditioned covariance, and lets one survive that
-    // lost its smallest eigenvalue to rounding.
+    // Negligible for a well-conditioned covariance; repairs one whose smallest eigenvalue was lost
+    // to rounding.
     constexpr double rounding = 1e-9;
     const Eigen::LLT<Matrix3> factor(regularized(covariance, rounding));
     inverse_ = factor.solve(Matrix3::Identity());
@@ -88,8 +87,8 @@ inline double largest_deviation(const Matrix3& covariance)
   return std::sqrt(principal_axes(covariance).variances[2]);
 }
 
-/// The squares of the distances d_M, the smaller one of the two Mahalanobis distances of the means
-/// of a pair. Evaluated when asked for: that costs about what reading a large matrix does.
+/// The squares of the distances d_M: the smaller of the two Mahalanobis distances of the means of a
+/// pair. Evaluated on demand, which costs about as much as reading a large matrix.
 class Squared_mahalanobis_distances
 {
 public:

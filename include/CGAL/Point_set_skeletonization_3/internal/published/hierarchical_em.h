@@ -28,18 +28,18 @@ namespace internal {
 /// Hierarchical expectation maximization; nothing here has a unit.
 struct Hierarchical_em_options
 {
-  /// How far a parent reaches, in standard deviations, positive: it considers components within
-  /// `alpha` times its largest deviation and takes those whose divergence from it is at most
-  /// alpha^2 / 2, that of an equal component `alpha` deviations away. Preiner et al. use 2.2.
+  /// Reach of a parent, in standard deviations, > 0: it considers components within `alpha` times
+  /// its largest deviation and takes those whose divergence from it is at most alpha^2 / 2, that of
+  /// an equal component `alpha` deviations away. Preiner et al. use 2.2.
   double alpha = 2.2;
 
   /// Probability of a component to become a parent, in (0, 1).
   double parent_probability = 1.0 / 3;
 
-  /// Levels above the finest. A fixed number, as in Preiner et al.: there is no natural end, since
-  /// a level stalls no sooner than its patches no longer fit each other anywhere. A third
-  /// survives a level where everything merges, more on surfaces: after three levels between 1/8
-  /// and 1/13 of the points, where the paper's mixtures have 1/6 to 1/15, mostly 1/9.
+  /// Levels above the finest. A fixed number, as in Preiner et al.: merging stops only when no
+  /// patches fit each other. A level keeps a third of the components where all merge, more on
+  /// surfaces: three levels leave 1/8 to 1/13 of the points, where the paper's mixtures have 1/6 to
+  /// 1/15, mostly 1/9.
   std::size_t number_of_levels = 3;
 
   unsigned int random_seed = 0;
@@ -60,9 +60,9 @@ inline std::uint64_t mixed(std::uint64_t h)
   return h ^ (h >> 31);
 }
 
-/// Random bits for a position. It is rounded to 2^-20 of the diagonal, finer than components are
-/// apart, so that an input that was translated or scaled draws the same although its last digits
-/// differ.
+/// Returns random bits for a position, rounded to 2^-20 of the diagonal, which is finer than the
+/// distances of components: a translated or scaled input, different in the last digits, draws the
+/// same.
 inline std::uint64_t position_hash(const Vector3& position, std::uint64_t seed)
 {
   std::uint64_t h = mixed(seed);
@@ -71,7 +71,7 @@ inline std::uint64_t position_hash(const Vector3& position, std::uint64_t seed)
   return h;
 }
 
-/// Whether the component at `mean` becomes a parent: a coin thrown by where the component is, so
+/// Whether the component at `mean` becomes a parent: random, but determined by its position, so
 /// that neither the order of the components nor the number of threads matters.
 inline bool is_parent(const Vector3& mean, const Hierarchical_em_options& options,
                       std::size_t level)
@@ -80,8 +80,8 @@ inline bool is_parent(const Vector3& mean, const Hierarchical_em_options& option
   return std::ldexp(static_cast<double>(h >> 11), -53) < options.parent_probability;
 }
 
-/// `mixture` in lexicographic order, components with equal means merged into one. Equal means throw
-/// equal coins; unmerged, a pile of duplicates would be all parents or all children forever.
+/// Returns `mixture` in lexicographic order, with components of equal means merged: these draw the
+/// same, so that duplicates would be all parents or all children. O(n log n).
 inline Gaussians sorted_and_merged(Gaussians mixture)
 {
   std::sort(mixture.begin(), mixture.end(), [](const Gaussian& a, const Gaussian& b) {
@@ -94,7 +94,7 @@ inline Gaussians sorted_and_merged(Gaussians mixture)
     while(end < mixture.size() && mixture[end].mean == mixture[begin].mean)
       ++end;
     if(end == begin + 1) {
-      result.push_back(mixture[begin]); // bit by bit
+      result.push_back(mixture[begin]); // same bits
       continue;
     }
     const Vector3 origin = mixture[begin].mean;
@@ -110,7 +110,7 @@ inline Gaussians sorted_and_merged(Gaussians mixture)
 /// components of the fine one are parents or children, and parents claim children.
 class Em_step
 {
-  /// A child that a parent takes, how likely it is under it, and the share the parent gets.
+  /// A child that a parent takes, its log-likelihood, and the share that the parent gets.
   struct Claim
   {
     std::size_t child;
@@ -173,14 +173,14 @@ private:
         continue;
       // ln of N(mu_c; mu_p, S_p) exp(-tr(S_p^-1 S_c) / 2), up to a constant common to all parents
       const double log_density = -(precision.log_determinant() + distance + trace) / 2;
-      // A child stands for as many points as it weighs, and a heavy parent is likely a priori.
+      // A child represents `weight` points, and the prior of a parent is its weight.
       result.push_back({c, child.weight * log_density + std::log(parent.weight), 0});
     }
     return result;
   }
 
-  /// Divides every child among the parents that claim it. Relative to its likeliest parent, since
-  /// the likelihoods themselves underflow.
+  /// Divides each child among the parents that claim it; relative to the likeliest one, as
+  /// likelihoods underflow.
   void compute_responsibilities()
   {
     std::vector<double> largest(children_.size(), -std::numeric_limits<double>::infinity());
@@ -204,7 +204,7 @@ private:
         function(claim);
   }
 
-  /// Every parent with its shares of its children, by their moments about the parent's mean.
+  /// Merges each parent with its shares of its children, by their moments.
   Gaussians merged_families(Concurrency concurrency) const
   {
     Gaussians result(parents_.size());
@@ -230,15 +230,15 @@ private:
   std::vector<bool> is_claimed_;
 };
 
-/// The mixture one level above `fine`, in lexicographic order of its components. It has the weight,
-/// the mean and the covariance of `fine` as a whole, and the same bits for any order of the
-/// components of `fine` and for any number of threads.
+/// Returns the mixture one level above `fine`, in lexicographic order. It has the total weight,
+/// mean and covariance of `fine`, and the same bits for any order of the components of `fine` and
+/// any number of threads. O(n log n) in practice.
 ///
 /// Vasconcelos and Lippman, Learning Mixture Hierarchies, NIPS 1998, regularised as by Preiner et
 /// al., Continuous Projection for Fast L1 Reconstruction, SIGGRAPH 2014.
 ///
 /// \param fine positive weights, positive definite covariances, normalised coordinates
-/// \param level tells the random choices of the levels apart
+/// \param level distinguishes the random choices of the levels
 inline Gaussians coarser_em_level(const Gaussians& fine, const Hierarchical_em_options& options,
                                   std::size_t level, Concurrency concurrency)
 {
@@ -246,7 +246,8 @@ inline Gaussians coarser_em_level(const Gaussians& fine, const Hierarchical_em_o
   return sorted_and_merged(Em_step(sorted_and_merged(fine), options, level).run(concurrency));
 }
 
-/// `finest`, followed by `options.number_of_levels` levels, each coarser than the one before.
+/// Returns `finest`, followed by `options.number_of_levels` levels, each coarser than the one
+/// before.
 inline std::vector<Gaussians> hierarchical_em(Gaussians finest,
                                               const Hierarchical_em_options& options,
                                               Concurrency concurrency)

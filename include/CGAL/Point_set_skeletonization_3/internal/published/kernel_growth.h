@@ -16,9 +16,9 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The growth factor nu in [0, 1] of a kernel (Eq. 11 to 13): 1 in isotropic surroundings, near 0
-/// where the samples within the kernel radius `h` line up. `near` are those samples, the one at
-/// `center` itself included.
+/// Returns the growth factor nu in [0, 1] of a kernel (Eq. 11 to 13): 1 in isotropic surroundings,
+/// near 0 where the samples within the kernel radius `h` are collinear. `near` are those samples,
+/// including the one at `center`.
 inline double growth_factor(const Vector3& center, double h, const std::vector<Vector3>& positions,
                             const std::vector<std::size_t>& near)
 {

@@ -48,8 +48,8 @@ struct Nearest_neighbor_options
   }
 };
 
-/// Covariance about `center` of the neighbours found around it. They include `center` itself, which
-/// adds nothing and does not count.
+/// Returns the covariance about `center` of its neighbours. `found` includes `center` itself, which
+/// is not counted.
 inline Matrix3 neighbor_covariance(const Vector3& center, const std::vector<Vector3>& points,
                                    const std::vector<Neighbor>& found)
 {
@@ -62,7 +62,8 @@ inline Matrix3 neighbor_covariance(const Vector3& center, const std::vector<Vect
   return others == 0 ? sum : Matrix3(sum / static_cast<double>(others));
 }
 
-/// The distinct ones of some points in lexicographic order, and which of them each point is.
+/// The distinct positions of points in lexicographic order, and the index of that of each point.
+/// O(n log n).
 struct Distinct_positions
 {
   explicit Distinct_positions(const std::vector<Vector3>& points) : index_of(points.size())
@@ -83,14 +84,14 @@ struct Distinct_positions
   std::vector<std::size_t> index_of;
 };
 
-/// One Gaussian of weight 1 per point, in the order of the points: mean at the point, covariance of
-/// its `options.neighbors` nearest distinct positions about it, made positive definite relative to
-/// its own scale (or to the bounding box if there is one position only).
+/// Returns one Gaussian of weight 1 per point, in their order: mean at the point, covariance of its
+/// `options.neighbors` nearest distinct positions about it, made positive definite relative to its
+/// own scale (or to the bounding box if there is only one position). O(n log n).
 ///
-/// Duplicates count as one neighbour: they say something of the weight of a place, nothing of the
-/// distance to the next. The search runs over sorted positions, so that among equally distant
-/// neighbours the same are taken for any order of the points: permuted points give the same
-/// Gaussians permuted, bit by bit.
+/// Duplicates count as one neighbour: they give the weight of a place, not the distance to the
+/// next. The search runs over sorted positions, so that the choice among equally distant neighbours
+/// does not depend on the order of the points: permuted points give the same Gaussians permuted,
+/// bit by bit.
 ///
 /// \param points in normalised coordinates, finite
 inline Gaussians nearest_neighbor_gaussians(const std::vector<Vector3>& points,

@@ -27,9 +27,11 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-// The method as published, stage by stage: kNN start, hierarchical EM, samples drawn from the points, a
-// fixed number of iterations with linearly growing kernels, Algorithm 1 on a mixture of the samples.
+// The stages of the method as published: kNN Gaussians, hierarchical EM, samples drawn from the
+// points, a fixed number of iterations with linearly growing kernels, Algorithm 1 on a mixture of
+// the samples.
 
+/// Options of the published method.
 struct Published_options
 {
   Nearest_neighbor_options nearest_neighbors;
@@ -38,7 +40,7 @@ struct Published_options
   Branch_detection_options branches;
 };
 
-/// All points of a cloud; the published method needs them.
+/// Returns all points of a cloud, normalised; the published method needs them. O(n).
 inline std::vector<Vector3> copied_points(const Normalized_points& points)
 {
   std::vector<Vector3> result;
@@ -50,7 +52,8 @@ inline std::vector<Vector3> copied_points(const Normalized_points& points)
   return result;
 }
 
-/// Stage 1: points to a hierarchy of mixtures, finest level first; none of no points.
+/// Stage 1: returns a hierarchy of mixtures, finest level first; empty without points. O(n log n)
+/// in practice.
 inline std::vector<Gaussians> published_mixture(const std::vector<Vector3>& points,
                                                 const Published_options& options,
                                                 Concurrency concurrency, const Progress& progress)
@@ -69,16 +72,16 @@ inline std::vector<Gaussians> published_mixture(const std::vector<Vector3>& poin
   return result;
 }
 
-/// Points of the input that become samples. The paper says "a small subset"; Huang et al. (2013)
-/// take a twentieth. Never so few that a limb goes without.
+/// Returns the number of samples. The paper says "a small subset"; Huang et al. (2013) take a
+/// twentieth. At least 500, so that each limb gets some.
 inline std::size_t published_number_of_samples(std::size_t points)
 {
   constexpr std::size_t fraction = 20, least = 500;
   return std::min(points, std::max(points / fraction, least));
 }
 
-/// Samples drawn from the points: a seeded choice by the position of a point, not by its index, and so
-/// independent of their order.
+/// Returns samples drawn from the points: a seeded random choice by position, independent of the
+/// order of the points. O(n log n).
 inline std::vector<L1_sample> drawn_samples(const std::vector<Vector3>& points,
                                             unsigned int random_seed)
 {
@@ -95,7 +98,7 @@ inline std::vector<L1_sample> drawn_samples(const std::vector<Vector3>& points,
   return drawn;
 }
 
-/// Stage 2: samples of the points, moved to the L1-medians of the coarsest level of the mixture.
+/// Stage 2: returns samples, moved to L1-medians of the coarsest level of the mixture.
 inline std::vector<L1_sample> published_samples(const std::vector<Vector3>& points,
                                                 const std::vector<Gaussians>& mixture,
                                                 const Published_options& options,
@@ -112,15 +115,16 @@ inline std::vector<L1_sample> published_samples(const std::vector<Vector3>& poin
   return samples;
 }
 
-/// A skeleton, and the vertex of every input point.
+/// A skeleton, and the vertex of each input point.
 struct Published_skeleton
 {
   Skeleton_graph graph;
   std::vector<std::size_t> vertex_of_point;
 };
 
-/// Stage 3: samples to a tree. A point belongs to the sample that started nearest to it, a sample to the
-/// nearest vertex.
+/// Stage 3: returns a tree through the samples. A point belongs to the sample with the nearest
+/// start, a sample to the nearest vertex. O(n log n) for n points, plus O(k^2 log k) for k
+/// components of a mixture of the samples.
 inline Published_skeleton published_skeleton(const std::vector<Vector3>& points,
                                              const std::vector<L1_sample>& samples,
                                              const Published_options& options,

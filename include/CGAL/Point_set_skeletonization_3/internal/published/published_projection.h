@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The projection as published (Sec. 3.1 and 3.2); lengths in units of the diagonal.
+/// Options of the projection as published (Sec. 3.1 and 3.2).
 struct Published_projection_options
 {
   /// "20 to 30 iterations turned out to be a good choice for all inputs" (Sec. 5).
@@ -35,7 +35,7 @@ struct Published_projection_options
   void check() const { CGAL_precondition(repulsion >= 0 && repulsion < 0.5); }
 };
 
-/// A point of the input that moves to the middle of the shape.
+/// A point of the input that moves to the middle of the shape; lengths in units of the diagonal.
 struct L1_sample
 {
   Vector3 origin = Vector3::Zero();
@@ -44,16 +44,17 @@ struct L1_sample
   double radius = 0; ///< Distance to the nearest component.
 };
 
-/// h^(0) = 2 diag / |P|^(1/3) (Huang et al. 2013).
+/// Returns h^(0) = 2 diag / |P|^(1/3) (Huang et al. 2013).
 inline double initial_kernel_radius(std::size_t number_of_points)
 {
   return 2 / std::cbrt(static_cast<double>(number_of_points));
 }
 
-/// theta is below 1e-2 at 0.55 h and below 4e-3 at 0.6 h; further components do not count.
+/// Kernel radii; components further away are ignored: theta is below 1e-2 at 0.55 h and 4e-3 at 0.6
+/// h.
 constexpr double published_reach = 0.6;
 
-/// 1 + sum of theta over the others: the density at every point, v of Eq. 7 and w of Eq. 8.
+/// Returns the density at each point, v of Eq. 7 and w of Eq. 8: 1 + sum of theta over the others.
 template <typename Radius>
 std::vector<double> densities(const std::vector<Vector3>& points, const Radius& kernel_radius,
                               Concurrency concurrency)
@@ -71,7 +72,7 @@ std::vector<double> densities(const std::vector<Vector3>& points, const Radius& 
   return result;
 }
 
-/// A mixture whose components can be attracted to.
+/// The components of a mixture as attractors, with their search structure.
 struct Attractors
 {
   explicit Attractors(const Gaussians& mixture)
@@ -87,7 +88,8 @@ struct Attractors
   double extent = 0; ///< Two standard deviations of the largest component.
 };
 
-/// F1 of Eq. 9: the local L1-median of the mixture around `q`; `q` itself where nothing is near.
+/// Returns F1 of Eq. 9: the local L1-median of the mixture around `q`; `q` itself where no
+/// component is near.
 inline Vector3 attraction(const Vector3& q, double h, const Attractors& mixture)
 {
   std::vector<std::size_t> near;
@@ -101,8 +103,9 @@ inline Vector3 attraction(const Vector3& q, double h, const Attractors& mixture)
   return sum.weight > 0 ? Vector3(sum.weighted_position / sum.weight) : q;
 }
 
-/// F2 of Eq. 4 with the weights of Eq. 6 and 8 for eta(r) = -r (Huang et al. 2009): away from the
-/// other samples. Samples at the very same place have no direction to part in and do not count.
+/// Returns F2 of Eq. 4 with the weights of Eq. 6 and 8 for eta(r) = -r (Huang et al. 2009):
+/// repulsion from the other samples. Samples at exactly the same place give no direction and are
+/// ignored.
 inline Vector3 repulsion(std::size_t i, const std::vector<L1_sample>& samples,
                          const std::vector<std::size_t>& near, const std::vector<double>& density)
 {
@@ -121,8 +124,8 @@ inline Vector3 repulsion(std::size_t i, const std::vector<L1_sample>& samples,
   return weight > 0 ? Vector3(sum / weight) : sum;
 }
 
-/// Eq. 2 with kernels grown by Eq. 10, a fixed number of times; every iteration reads the positions
-/// of the one before.
+/// Returns the samples after a fixed number of iterations of Eq. 2 with kernels grown by Eq. 10.
+/// Each iteration reads the positions of the one before.
 inline std::vector<L1_sample> project_as_published(std::vector<L1_sample> samples,
                                                    const Gaussians& mixture,
                                                    const Published_projection_options& options,

@@ -23,25 +23,26 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The medial ball in the limb that a patch belongs to.
+/// The medial ball of the limb that a patch belongs to.
 struct Medial_ball
 {
   Vector3 center = Vector3::Zero();
-  double radius = 0; ///< 0: not known.
+  double radius = 0; ///< 0: unknown.
 };
 
-/// The ball of every patch: around its sample, if that is off the surface. Patches without one take
-/// that of the nearest patch along the surface, but not across a `crease`, a cosine between normals, and
-/// not from far away: where
-/// two limbs touch no normal can be trusted, and every patch is beside the limb it belongs to.
+/// Returns a medial ball for each patch, centred at its sample if that is off the surface. Other
+/// patches take the ball of the nearest patch along the surface (Dijkstra), within a limited
+/// distance and not across a `crease`, the least cosine between adjacent normals: where two limbs
+/// touch, normals are unreliable, but nearby patches are in the same limb. Radius 0 if none is
+/// found. O(n log n).
 inline std::vector<Medial_ball> known_balls(const Patches& patches,
                                          const Samples& samples, double crease)
 {
-  constexpr double reach = 3;       // spacings: half of what a normal is estimated from, and a bit
-  constexpr double ball_share = 0.5; // radii: a thick limb touches another with more patches
+  constexpr double reach = 3;       // spacings: the neighbourhood of a normal, and a margin
+  constexpr double ball_share = 0.5; // radii: thick limbs touch along more patches
 
   std::vector<Medial_ball> balls(patches.size());
-  using Step = std::tuple<double, std::size_t, std::size_t>; // length, patch, the one it comes from
+  using Step = std::tuple<double, std::size_t, std::size_t>; // length of path, patch, source
   std::priority_queue<Step, std::vector<Step>, std::greater<Step>> queue;
   for(std::size_t i = 0; i < patches.size(); ++i) {
     const double radius = (samples[i].position - patches[i].mean).norm();
@@ -51,7 +52,7 @@ inline std::vector<Medial_ball> known_balls(const Patches& patches,
   const auto is_unknown = [&](std::size_t i) { return balls[i].radius == 0; };
   for(std::size_t i = 0; i < patches.size(); ++i) {
     const std::vector<std::size_t>& neighbors = patches[i].neighbors;
-    if(!is_unknown(i) && std::any_of(neighbors.begin(), neighbors.end(), is_unknown)) // few are
+    if(!is_unknown(i) && std::any_of(neighbors.begin(), neighbors.end(), is_unknown)) // rare
       queue.emplace(0, i, i);
   }
   std::vector<bool> done(patches.size(), false);
@@ -73,17 +74,19 @@ inline std::vector<Medial_ball> known_balls(const Patches& patches,
   return balls;
 }
 
-/// How far two balls overlap: the radius of the circle in which their spheres meet over that of the
-/// smaller ball; 1 if the centre of that is beyond the circle. Neighbours in one limb have nearly the
-/// same ball, and where a limb leaves another both balls hold the place between them; the balls of two
-/// limbs that only touch do not meet. \pre both are known
+/// Returns the relative overlap of two balls, in [0, 1]: the radius of the circle in which their
+/// spheres intersect over that of the smaller ball; 0 if they are disjoint, 1 if the centre of the
+/// smaller ball is beyond that circle. Adjacent patches of one limb have nearly the same ball, and
+/// at a junction the balls of both limbs contain the place in between; balls of two limbs that only
+/// touch hardly overlap.
+/// \pre both radii are positive
 inline double relative_overlap(const Medial_ball& a, const Medial_ball& b)
 {
   const double smaller = std::min(a.radius, b.radius), larger = std::max(a.radius, b.radius);
   const double distance = (a.center - b.center).norm();
   if(distance >= smaller + larger)
     return 0;
-  // How far the plane of the circle lies from the centre of the smaller ball, in its radii.
+  // Distance of the plane of the circle from the centre of the smaller ball, in its radii: `plane`.
   const double beyond = distance * distance + smaller * smaller - larger * larger;
   if(beyond <= 0)
     return 1;
@@ -91,13 +94,14 @@ inline double relative_overlap(const Medial_ball& a, const Medial_ball& b)
   return std::sqrt(std::max(0.0, 1 - plane * plane));
 }
 
-/// How far the medial balls of neighbouring patches overlap, in [0, 1]: 1 in a limb, towards 0 from one
-/// limb to another that it touches.
+/// The relative overlap of the medial balls of adjacent patches, in [0, 1]: near 1 within a limb,
+/// near 0 between two limbs that touch.
 class Ball_overlaps
 {
 public:
-  /// `unknown` counts for a pair of which a patch has no ball; `least_overlap` is what the balls in one
-  /// limb have at least.
+  /// O(n log n).
+  /// \param unknown overlap of a pair if a patch has no ball, in [0, 1]
+  /// \param least_overlap least overlap within a limb, in (0, 1)
   Ball_overlaps(const Surface& surface, const Samples& samples, double unknown,
                 double least_overlap, Concurrency concurrency)
     : least_overlap_(least_overlap)
@@ -114,13 +118,13 @@ public:
     });
   }
 
-  /// The pairs of neighbouring patches.
+  /// All pairs of adjacent patches, in lexicographic order.
   const std::vector<Patch_pair>& pairs() const { return pairs_; }
 
-  /// Of the `k`-th pair.
+  /// Overlap of the `k`-th pair.
   double operator[](std::size_t k) const { return overlaps_[k]; }
 
-  /// Whether one limb goes on from one patch of the `k`-th pair to the other.
+  /// Whether the patches of the `k`-th pair are in one limb.
   bool are_in_one_limb(std::size_t k) const { return overlaps_[k] >= least_overlap_; }
 
 private:

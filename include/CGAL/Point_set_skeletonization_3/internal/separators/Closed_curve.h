@@ -23,14 +23,15 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// A closed curve in the solid that is shortened as far as it can be without leaving the solid, like a
-/// rubber band. Around a hole of the shape it gets stuck; elsewhere it contracts to a point, however it
-/// is bent. A hole of the data does not hold it: the winding number closes that. (Discrete curve
-/// shortening; whether the curve is contractible is what the package asks.)
+/// A closed curve in the solid, which may be contractible there. Discrete curve shortening: points
+/// move towards the mean of their neighbours while they stay in the solid. A curve around a hole of
+/// the shape stops at the hole; any other shrinks to a point. A hole of the data does not stop it:
+/// the winding number closes it.
 class Closed_curve
 {
 public:
-  /// `curve` has its points in order. \pre it is not empty; `resolution` is positive
+  /// Resamples a closed polygon to 32 points of equal arc length. Refers to `surface`.
+  /// \pre `curve` is not empty; `resolution`, a length, is positive
   Closed_curve(const std::vector<Vector3>& curve, double resolution, const Surface& surface)
       : resolution_(resolution)
       , air_(surface.options.air)
@@ -53,7 +54,7 @@ public:
       points_[k] = curve.front();
   }
 
-  /// Whether all of its points are in the solid.
+  /// Whether all points are in the solid.
   bool is_solid() const
   {
     const std::vector<double> values = winding_number_.at_places(
@@ -61,8 +62,9 @@ public:
     return *std::min_element(values.begin(), values.end()) >= air_;
   }
 
-  /// Whether the solid lets the curve be moved onto another one, every point straight to the nearest:
-  /// then both are contractible, or neither. \pre the other one is solid
+  /// Whether the curve can be moved onto `other` inside the solid, each point straight to its
+  /// counterpart: then the two are homotopic, and both or neither are contractible. \pre
+  /// `other.is_solid()`
   bool can_be_moved_onto(const Closed_curve& other) const
   {
     const std::array<Vector3, size> target = other.points_beside(*this);
@@ -72,18 +74,18 @@ public:
     return true;
   }
 
-  /// Whether the curve contracts to a point.
+  /// Whether curve shortening shrinks the curve to a point, in 60 steps at most.
   bool is_contractible() const { return Closed_curve(*this).contract(); }
 
 private:
-  /// Shortens the curve as far as possible. Returns whether it is a point then.
+  /// Shortens the curve until it is a point or stops. Returns whether it is a point.
   bool contract()
   {
-    constexpr int most_steps = 60; // half a dozen are usual
-    constexpr double slow = 0.98;  // of the shortest before
-    constexpr int patience = 3;    // it may have to slide around a corner first
-    const double point = CGAL_PI * resolution_; // a circle as wide as the resolution
-    double length = this->length(), shortest = length; // it may tremble in between
+    constexpr int most_steps = 60; // about six are usual
+    constexpr double slow = 0.98;  // greater share of the least length: no progress
+    constexpr int patience = 3;    // steps without progress: the curve may slide around a corner
+    const double point = CGAL_PI * resolution_; // circle as wide as the resolution
+    double length = this->length(), shortest = length; // the length is not monotonic
     for(int step = 0, stuck = 0; step < most_steps && stuck < patience; ++step) {
       drop_points(length);
       shorten();
@@ -96,7 +98,7 @@ private:
     return length < 2 * point;
   }
 
-  // At first; a hole is wider than a thirty-second of the length of the curve.
+  // Initial number of points: holes are assumed wider than 1/32 of the length of the curve.
   static constexpr std::size_t size = 32;
 
   static double at(std::size_t k) { return static_cast<double>(k) / size; }
@@ -106,7 +108,8 @@ private:
     return curve[i + 1 < curve.size() ? i + 1 : 0];
   }
 
-  /// Its points from where and in the direction in which they are closest to those of another one.
+  /// The points, shifted and perhaps reversed so that they are closest to those of `other` (least
+  /// squares).
   std::array<Vector3, size> points_beside(const Closed_curve& other) const
   {
     double least = std::numeric_limits<double>::infinity();
@@ -133,11 +136,11 @@ private:
     return result;
   }
 
-  /// Drops every other point as long as those that are left lie closer than two resolutions on a curve
-  /// of some length: nothing that holds it is thinner.
+  /// Drops every other point of a curve of this length while the rest is closer than two
+  /// resolutions: no obstacle is thinner.
   void drop_points(double length)
   {
-    constexpr std::size_t least = 16; // with eight, a curve cuts the corners of what holds it
+    constexpr std::size_t least = 16; // with eight, a curve cuts through corners of an obstacle
     while(size_ > least && length < static_cast<double>(size_) * resolution_) {
       size_ /= 2;
       for(std::size_t k = 0; k < size_; ++k)
@@ -145,8 +148,8 @@ private:
     }
   }
 
-  /// Moves every point to the mean of as long a part of the curve around it as the solid lets it;
-  /// a point at a wall slides along it.
+  /// Moves each point to the mean of the longest part of the curve around it that the solid
+  /// permits. A point at the boundary slides along it.
   void shorten()
   {
     for(std::size_t i = 0; i < size_; ++i) {
@@ -173,7 +176,7 @@ private:
     return mean / static_cast<double>(2 * reach + 1);
   }
 
-  /// The direction in which the winding number grows, from the corners of a tetrahedron around.
+  /// Unit gradient of the winding number at `p`, from the corners of a tetrahedron.
   Vector3 away_from_air(const Vector3& p) const
   {
     const double h = resolution_ / (2 * std::sqrt(3.0));
@@ -189,7 +192,8 @@ private:
     return gradient.normalized();
   }
 
-  /// \pre there is no air at `to`
+  /// Moves the `i`-th point if the segment to `to` is in the solid. Returns whether it moved.
+  /// \pre `to` is in the solid
   bool move(std::size_t i, const Vector3& to)
   {
     const bool can = is_solid_before(points_[i], to);
@@ -198,7 +202,7 @@ private:
     return can;
   }
 
-  /// Whether there is no air between two places.
+  /// Whether the segment between two places is in the solid, tested at up to 16 places.
   bool is_solid_before(const Vector3& from, const Vector3& to) const
   {
     constexpr double most_places = 16;
@@ -214,7 +218,7 @@ private:
     return true;
   }
 
-  std::size_t size_ = size; ///< Of its points, those that are left.
+  std::size_t size_ = size; ///< Number of points left.
   double resolution_;
   double air_; ///< Winding number below which a place is outside.
   const Winding_number& winding_number_;

@@ -23,14 +23,15 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// A list of patches that grows without a branch: which neighbours of a patch are new is anybody's
-/// guess, and wrong guesses of the processor would cost more than all the rest.
+/// A list of patches of fixed capacity, filled without branches: whether a neighbour is new is
+/// unpredictable, and branch mispredictions would take most of the time.
 class Patch_list
 {
 public:
-  /// \pre not longer than `capacity`
+  /// \pre `size()` never exceeds `capacity`
   explicit Patch_list(std::size_t capacity) : patches_(capacity + 1) {}
 
+  /// Appends `patch` if `condition`.
   void push_back_if(bool condition, std::size_t patch)
   {
     patches_[size_] = static_cast<std::uint32_t>(patch);
@@ -43,7 +44,7 @@ public:
   const std::uint32_t* begin() const { return patches_.data(); }
   const std::uint32_t* end() const { return patches_.data() + size_; }
   void replace(std::size_t k, std::size_t patch) { patches_[k] = static_cast<std::uint32_t>(patch); }
-  /// \pre it is at least as long
+  /// Keeps the first `size` patches. \pre `size <= this->size()`
   void shorten(std::size_t size) { size_ = size; }
 
 private:
@@ -51,12 +52,13 @@ private:
   std::size_t size_ = 0;
 };
 
-/// Patches that a ball around a medial sample holds, as far as they hang together, and their front:
-/// the patches next to them. The ball grows until the front falls apart. One object grows one
-/// region after the other and visits only what the region reaches.
+/// The patches inside a ball around a medial sample that are connected to its patch, and their
+/// front: the adjacent patches outside. The ball grows until the front splits. One object grows one
+/// region after another; the time of each depends on the patches that it reaches only.
 class Growing_region
 {
 public:
+  /// Refers to all arguments. O(n).
   Growing_region(const Patches& patches, const Patch_graph& graph,
                  const Samples& samples, const Separator_options& options)
       : options_(options)
@@ -76,20 +78,21 @@ public:
       positions_.push_back(sample.position);
   }
 
-  /// What a region ended with.
+  /// The result of growing a region.
   struct Result
   {
-    /// Empty if the ball became larger than anything that a limb at this place can be, or held half
-    /// of the shape: there is no limb here.
+    /// Empty if there is no limb here: the ball exceeds the flattest possible limb, or the region
+    /// half of the shape.
     Local_separator separator;
-    /// Patches off the separator whose regions would end in much the same way.
+    /// Patches off the separator whose regions would end alike.
     std::vector<std::size_t> same;
   };
 
-  /// The separator through the region that grows from the sample of a patch.
+  /// Grows a region from the sample of patch `seed` and returns the separator through it.
   Result grow_from(std::size_t seed)
   {
-    // The ball of a round limb touches it all around; a tenth more holds its ring of patches.
+    // The ball of a round limb touches it all around; with 10 % more it contains the ring of
+    // patches.
     constexpr double growth = 1.1;
 
     center_ = samples_[seed].position;
@@ -98,9 +101,9 @@ public:
     label_[seed] = region;
     add_neighbors_to_front(seed);
     Result result;
-    std::size_t size = 0; // of the region when its front was last looked at
-    bool is_in_one_piece = true; // its front, as far as it was looked at, but for little
-    bool is_bounded = true;      // it holds less than half of the shape
+    std::size_t size = 0; // of the region when its front was tested last
+    bool is_in_one_piece = true; // all fronts so far were connected, except for small parts
+    bool is_bounded = true;      // the region has a front and at most half of the shape
     for(double reach = growth * radius; reach < options_.flattest * radius; reach *= growth) {
       grow(reach);
       is_bounded = !front_.empty() && region_.size() <= patches_.size() / 2;
@@ -116,7 +119,8 @@ public:
         break;
       }
     }
-    // A sheet may be thinner than its patches are wide. Where a limb is, every ring may count.
+    // On a sheet, perhaps thinner than its patches are wide, fewer seeds do; on a limb each ring
+    // counts.
     const bool is_sheet = is_bounded && is_in_one_piece;
     const double same =
       std::max(options_.same_place * radius, is_sheet ? same_patch * patches_[seed].spacing : 0);
@@ -133,8 +137,8 @@ public:
 private:
   using Part = std::vector<std::size_t>;
 
-  /// The nearer of two parts along the surface, 1 or 2, and its distance; nothing is nearer than
-  /// the default.
+  /// The nearer of two parts of the front, 1 or 2, and its distance along the surface. The default
+  /// is less than any other.
   struct Nearest
   {
     float distance = 0;
@@ -147,12 +151,13 @@ private:
 
   enum Label : char { outside, region, front, part_of_front, between, on_separator, beside };
 
-  /// `to` if `condition`, else `label`; without a branch, as above, whatever a compiler thinks best.
+  /// `to` if `condition`, else `label`; branchless with every compiler.
   static Label changed_if(bool condition, Label label, Label to)
   {
     return static_cast<Label>(label ^ ((label ^ to) & -static_cast<int>(condition)));
   }
 
+  /// Adds the new neighbours of a patch to the front.
   void add_neighbors_to_front(std::size_t i)
   {
     const std::size_t first = front_.size();
@@ -166,12 +171,12 @@ private:
       squared_distance_[k] = (means_[front_[k]] - center_).squaredNorm();
   }
 
-  /// Moves what the ball holds from the front into the region, and what is next to that into the
-  /// front.
+  /// Moves the patches inside the ball of radius `reach` from the front to the region, and their
+  /// new neighbours to the front.
   void grow(double reach)
   {
     std::size_t kept = 0;
-    for(std::size_t next = 0; next < front_.size();) { // what was added last
+    for(std::size_t next = 0; next < front_.size();) { // one layer of the breadth-first search
       std::size_t held = region_.size();
       for(const std::size_t end = front_.size(); next < end; ++next) {
         const std::size_t i = front_[next];
@@ -200,6 +205,7 @@ private:
       visit(i);
   }
 
+  /// Empties region and front.
   void clear()
   {
     visit_all([&](std::size_t i) { label_[i] = outside; });
@@ -207,8 +213,8 @@ private:
     front_.shorten(0);
   }
 
-  /// The front in parts that do not hang together, the largest first; none if what is beside the
-  /// largest is too little for a limb.
+  /// The connected components of the front, the largest first; none if the others together are
+  /// smaller than `least_share` of the largest. Linear in the front and its edges.
   std::vector<Part> connected_parts()
   {
     std::vector<Part> parts;
@@ -243,7 +249,7 @@ private:
     return parts;
   }
 
-  /// Whether a limb goes on from the region in two directions, and no more.
+  /// Whether the limb continues from the region in exactly two directions.
   bool splits(const std::vector<Part>& parts) const
   {
     const auto share = [&](std::size_t a, std::size_t b) {
@@ -253,19 +259,19 @@ private:
            (parts.size() == 2 || share(2, 1) <= options_.junction_share);
   }
 
-  /// The patches halfway between the first two parts: those of the one half next to the other.
+  /// The separator halfway between the first two parts: patches of one half adjacent to the other.
   Local_separator cut(const std::vector<Part>& parts)
   {
     find_nearest(parts);
     const auto half = [&](std::size_t i) { return nearest_[i].part; };
     Local_separator result;
-    const auto add = [&](std::size_t i) { // not of the parts themselves
+    const auto add = [&](std::size_t i) { // patches of the parts are not on the separator
       if(label_[i] != between)
         return;
       label_[i] = on_separator;
       result.patches.push_back(i);
     };
-    // Of the first half what touches the second; of the second what touches the first part.
+    // Patches of the first half adjacent to the second, and of the second half to the first part.
     const auto in_second_half = [&](const Patch_graph::Edge& edge) {
       return half(edge.patch) == 2;
     };
@@ -293,16 +299,15 @@ private:
     return result;
   }
 
-  /// For every patch of the region and its front which of the first two parts is nearer along the
-  /// surface; labels those that belong to neither.
+  /// Finds the nearer of the first two parts, along the surface, for each patch of the region and
+  /// its front. Labels patches of neither part as `between`.
   void find_nearest(const std::vector<Part>& parts)
   {
     visit_all([&](std::size_t i) {
       label_[i] = between;
       nearest_[i].distance = std::numeric_limits<float>::infinity();
     });
-    // In the order of the number of steps, which is nearly that of the distance: what has to be
-    // corrected costs less than a heap would.
+    // By number of edges, which is nearly the order of distance: corrections cost less than a heap.
     queue_.clear();
     Nearest* const known = nearest_.data();
     const auto visit = [this, known](float distance, int part, std::uint32_t i) {
@@ -321,7 +326,7 @@ private:
       const auto [distance, i] = queue_[next];
       const int part = known[i].part;
       if(distance > known[i].distance)
-        continue; // reached on a shorter path
+        continue; // a shorter path was found
       for(const auto& edge : graph_[i])
         visit(distance + edge.length, part, edge.patch);
     }
@@ -334,17 +339,17 @@ private:
   Vector3 center_ = Vector3::Zero();
   Patch_list region_; ///< The seed first.
   Patch_list front_;
-  std::vector<double> squared_distance_; ///< To the centre, of the front.
-  Patch_list found_; ///< In `connected_parts()`.
+  std::vector<double> squared_distance_; ///< From the centre to the front.
+  Patch_list found_; ///< Scratch memory of `connected_parts()`.
 
-  // Of every patch and its sample, as they are read most often: those in a row are in the cache.
+  // Copies of what is read most often, contiguous for the cache.
   std::vector<Vector3> means_, positions_;
 
-  // Of every patch; as at the beginning wherever no region is.
+  // For each patch; default outside the region.
   std::vector<Label> label_;
-  std::vector<Nearest> nearest_; ///< Default outside.
+  std::vector<Nearest> nearest_; ///< Default outside `cut()`.
 
-  std::vector<std::pair<float, std::uint32_t>> queue_; ///< Of `find_nearest()`.
+  std::vector<std::pair<float, std::uint32_t>> queue_; ///< Scratch memory of `find_nearest()`.
 };
 
 } // namespace internal

@@ -12,14 +12,14 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Patches that cut the surface around them in two: a ring around a limb, whatever the shape of its
-/// cross-section. (Baerentzen & Rotenberg 2021 call it a local separator and find it by growing a
-/// region from a point of the surface; we grow it from the centre of the shape, and so closer to a
+/// Patches that separate the surface locally into two sides: a ring around a limb, with a
+/// cross-section of any shape. (Baerentzen & Rotenberg 2021 grow a region from a point of the
+/// surface; here it grows from the centre of the shape, which gives a ring closer to a
 /// cross-section.)
 struct Local_separator
 {
   std::vector<std::size_t> patches;              ///< Ascending; empty if there is no separator.
-  std::array<std::vector<std::size_t>, 2> sides; ///< Patches next to it on either side, ascending.
+  std::array<std::vector<std::size_t>, 2> sides; ///< Adjacent patches on either side, ascending.
   double length = 0;                             ///< Sum of the spacings of its patches.
 };
 

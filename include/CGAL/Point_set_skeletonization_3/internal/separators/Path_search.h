@@ -20,14 +20,15 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Looks for paths on the surface from one side of a separator to the other. Holds scratch memory that
-/// is as before between calls: one object may be asked of one separator after the other.
+/// Finds paths on the surface from one side of a separator to the other. Scratch memory is reset
+/// after each call, so that one object can serve many separators.
 class Path_search
 {
 public:
-  /// Neighbouring patches; as a loop, the last next to the first.
+  /// Adjacent patches in order. In a closed path the last is adjacent to the first.
   using Path = std::vector<std::size_t>;
 
+  /// Refers to both arguments. O(n).
   Path_search(const Patches& patches, const Patch_graph& graph)
       : patches_(patches)
       , graph_(graph)
@@ -35,7 +36,8 @@ public:
       , visits_(patches.size())
   {}
 
-  /// A short path from the second side to the first; empty if there is none.
+  /// Returns a path from the second side to the first, off the separator; empty if there is none.
+  /// Bidirectional breadth-first search: close to a shortest path.
   Path around(const Local_separator& separator)
   {
     mark(separator);
@@ -44,8 +46,8 @@ public:
     return result;
   }
 
-  /// The algebraic intersection number of a loop and the separator: how often it crosses from the first
-  /// side to the second, less how often it comes back; 0 if that is not known.
+  /// Returns the algebraic intersection number of a closed path and a separator: its crossings from
+  /// the first side to the second minus those back; 0 if unknown. O(sizes of both).
   int algebraic_intersection_number(const Path& loop, const Local_separator& separator)
   {
     mark(separator);
@@ -54,7 +56,8 @@ public:
     return result;
   }
 
-  /// A path from one side to the other, closed across the separator; empty if that is in pieces.
+  /// Closes a path between the sides of a separator across it, by breadth-first search on the
+  /// separator. Empty if the separator is not connected.
   Path closed(Path path, const Local_separator& separator)
   {
     mark(separator);
@@ -70,8 +73,8 @@ private:
   /// How a patch was reached first.
   struct Visit
   {
-    Place from = elsewhere;    ///< The side.
-    std::size_t before = none; ///< The patch before.
+    Place from = elsewhere;    ///< Side where the search started.
+    std::size_t before = none; ///< Previous patch.
   };
 
   void mark(const Local_separator& separator)
@@ -119,7 +122,7 @@ private:
     return result;
   }
 
-  /// Closes a path across the separator; false if that is in pieces.
+  /// Closes a path across the separator; `false` if that is not connected.
   bool close(Path& path) const
   {
     std::map<std::size_t, std::size_t> before;
@@ -137,13 +140,13 @@ private:
     return false;
   }
 
-  /// Looks from both sides in turn: where a limb is cut off, only the smaller part of the shape is
-  /// visited, twice. Where the two meet the path is as short as may be, but for a few patches.
+  /// Searches from both sides alternately: if there is no path, the search visits about twice the
+  /// smaller part of the shape. Where the two meet, the path is shortest up to a few patches.
   Path between_sides(const Local_separator& separator)
   {
     constexpr std::array<Place, 2> side = {on_first_side, on_second_side};
     std::array<std::vector<std::size_t>, 2> reached;
-    std::array<std::size_t, 2> meeting = {none, none}; // a patch reached from either side
+    std::array<std::size_t, 2> meeting = {none, none}; // adjacent, from each side
     const auto reach = [&](std::size_t i, std::size_t before, std::size_t k) {
       Visit& visit = visits_[i];
       if(visit.from == elsewhere) {
@@ -178,7 +181,7 @@ private:
   const Patches& patches_;
   const Patch_graph& graph_;
 
-  // Of every patch; as at the beginning between calls.
+  // For each patch; default between calls.
   std::vector<Place> place_;
   std::vector<Visit> visits_;
 };

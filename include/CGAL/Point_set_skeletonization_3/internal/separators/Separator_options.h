@@ -10,34 +10,35 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// What a separator of a limb looks like.
+/// Options of part 3a, local separators. Radii are those of the sample.
 struct Separator_options
 {
-  /// The flattest limbs that are seen: their width over their thickness.
+  /// Greatest ratio of width to thickness of a limb that is found, > 1.
   double flattest = 6;
 
-  /// Share of the larger of two parts of a region's front that the smaller has at least: limbs do not
-  /// taper faster in one ball.
+  /// Least ratio of the second largest part of the front to the largest where it splits, in (0, 1):
+  /// limbs do not taper faster within one ball.
   double least_share = 0.2;
 
-  /// Share of the second part of a front from which on a third makes a junction, which is what the
-  /// separators around it leave over; less is a dent or a bump.
+  /// Ratio of the third to the second part of the front, in (0, 1), above which the region is at a
+  /// junction, which has no separator itself; below, the third part is a dent or a bump.
   double junction_share = 0.3;
 
-  /// Radii; regions that grow from places closer than that are the same, and only one is grown.
+  /// Radii; regions grown from samples closer than this are the same: only one is grown.
   double same_seed = 0.15;
 
-  /// Radii; regions that grow from places closer than that end in much the same way, and two are enough.
+  /// Radii; regions grown from samples closer than this end alike: two are enough.
   double same_place = 0.4;
 
-  /// Radius of the circle in which the medial balls of two neighbours meet, over that of the smaller
-  /// ball, from which on they are in one limb: a half where two round limbs of the same size cross each
-  /// other with an eighth of their width.
+  /// Least relative overlap of the medial balls of adjacent patches in one limb, in (0, 1): 0.5
+  /// where two equal round limbs intersect by an eighth of their width.
   double overlap = 0.5;
 
-  /// Patches; what the points show as a hole is surrounded by more.
+  /// Patches; a path around a separator that is not longer leads around a tip. A hole is surrounded
+  /// by more.
   double around_a_tip = 4;
 
+  /// Checks all ranges.
   void check() const
   {
     CGAL_precondition(flattest > 1);

@@ -25,11 +25,11 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Chooses separators that cut a limb, one after the other, none touching a patch of another.
+/// Chooses candidates that cut a limb, so that no patch is on two of them.
 ///
-/// A separator cuts a limb if there is no path on the surface from one side of it to the other, or only
-/// one around a hole of the shape. An arc that ends in holes of the data, or a ring around a dent, has
-/// a path around it that, closed, is contractible in the solid.
+/// A separator cuts a limb if there is no path on the surface from one side to the other, or only
+/// one around a hole of the shape. An arc that ends in holes of the data, or a ring around a dent,
+/// has a path around it whose closed curve is contractible in the solid.
 class Separator_choice
 {
 public:
@@ -42,7 +42,7 @@ public:
       paths_(candidates_.size()), is_taken_(surface.patches.size(), false)
   {}
 
-  /// To be called once. The candidates are taken in their order.
+  /// Returns the chosen separators; candidates are tested in their order. To be called once.
   std::vector<Local_separator> run()
   {
     std::vector<Local_separator> result;
@@ -51,7 +51,7 @@ public:
         continue;
       if(!paths_[s])
         find_paths(s);
-      // A contractible loop crosses no cross-section of a limb just once.
+      // A contractible closed path has intersection number 0 with each cross-section of a limb.
       if(crosses_contractible_loop(candidates_[s]))
         continue;
       if(has_contractible_path(*paths_[s])) {
@@ -70,18 +70,18 @@ public:
 private:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-  /// A path from one side of a separator to the other.
+  /// A path from one side of a candidate to the other.
   struct Path
   {
     Path_search::Path patches; ///< Empty if there is none.
-    std::size_t curve = none;  ///< The known curve that it can be moved onto, if it is long.
+    std::size_t curve = none;  ///< Known curve that it can be moved onto; `none` if it is short.
   };
 
-  /// A closed curve that stands for all that can be moved onto it.
+  /// A closed curve that represents all curves that can be moved onto it.
   struct Known_curve
   {
     Closed_curve curve;
-    bool is_solid; ///< Else nothing can be moved onto it.
+    bool is_solid; ///< Otherwise no curve can be moved onto it.
     bool is_contractible;
   };
 
@@ -110,9 +110,9 @@ private:
     return path.curve != none && curves_[path.curve].is_contractible;
   }
 
-  /// Finds the path around a separator, and around all after it that will be asked for theirs whatever
-  /// is chosen until then: they touch neither what is taken nor a separator that comes before them. So
-  /// there is work for all threads.
+  /// Finds the path around a candidate, and around later ones whose paths are needed whatever is
+  /// chosen before: they share no patch with a chosen separator or an earlier candidate. So all
+  /// threads have work.
   void find_paths(std::size_t first)
   {
     std::vector<bool> is_before = is_taken_;
@@ -138,7 +138,7 @@ private:
     });
   }
 
-  /// The curve through the samples of a path around a separator.
+  /// The closed curve through the samples of a path around a separator.
   Closed_curve closed_curve(const Path_search::Path& path, const Local_separator& separator) const
   {
     std::vector<Vector3> positions;
@@ -147,7 +147,7 @@ private:
     return Closed_curve(positions, surface_.patches[separator.patches.front()].spacing, surface_);
   }
 
-  /// The index of a curve that is contractible if this one is: a known one, or a new one.
+  /// Index of a known curve that this one can be moved onto; it is added if there is none.
   std::size_t curve_like(const Closed_curve& curve)
   {
     const auto found =
@@ -168,14 +168,14 @@ private:
   Per_thread<Path_search> search_;
 
   // Found so far.
-  std::vector<std::optional<Path>> paths_; ///< Around every candidate.
+  std::vector<std::optional<Path>> paths_; ///< Around each candidate.
   std::vector<Known_curve> curves_;
-  std::vector<Path_search::Path> contractible_loops_; ///< Closed.
-  std::vector<bool> is_taken_;                        ///< Of every patch.
+  std::vector<Path_search::Path> contractible_loops_; ///< Closed paths.
+  std::vector<bool> is_taken_;                        ///< Patches of chosen separators.
 };
 
-/// Those of some separators that cut a limb and do not touch one that comes before them. `limbs` is the
-/// graph of the patches without edges from one limb to another that it touches.
+/// Returns the candidates that cut a limb and share no patch with one chosen before. `limbs` is the
+/// graph of adjacent patches within limbs (`Ball_overlaps::are_in_one_limb()`).
 inline std::vector<Local_separator> choose_separators(std::vector<Local_separator> candidates,
                                                       const Surface& surface,
                                                       const Samples& samples,

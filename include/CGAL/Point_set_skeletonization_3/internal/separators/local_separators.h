@@ -27,7 +27,8 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Patches to grow regions from, ascending: no sample of one at the place of that of another.
+/// Returns the patches from which regions grow, ascending; of samples within `same_seed` radii the
+/// first only. O(n log n).
 inline std::vector<std::size_t> separator_seeds(const Samples& samples,
                                                 const Separator_options& options,
                                                 Concurrency concurrency)
@@ -45,10 +46,10 @@ inline std::vector<std::size_t> separator_seeds(const Samples& samples,
   return seeds;
 }
 
-/// Separators grown from the seeds, in their order. A patch that two separators hold needs no third
-/// (Baerentzen & Rotenberg 2021 skip such seeds the more likely the more separators hold them): most
-/// of them are the same, and the tightest cross-section is among the first few. Nor does a place from
-/// which two regions have grown, whether they have found one or none.
+/// Returns the separators grown from `seeds`, in their order. A seed is skipped if its patch is on
+/// two separators, or if two regions have grown from nearby: most of them are equal, and the
+/// shortest is among the first few. (Baerentzen & Rotenberg 2021 skip such seeds with a
+/// probability.)
 inline std::vector<Local_separator> grown_separators(const Patches& patches,
                                                      const Samples& samples,
                                                      const Patch_graph& graph,
@@ -57,8 +58,8 @@ inline std::vector<Local_separator> grown_separators(const Patches& patches,
                                                      Concurrency concurrency)
 {
   constexpr int enough = 2;
-  // Every round grows from seeds all over the shape; what is found counts for the rounds after it,
-  // so the result does not depend on the number of threads. More rounds skip hardly more seeds.
+  // In each round regions grow all over the shape; results count for later rounds only, and so do
+  // not depend on the number of threads. More rounds skip hardly more seeds.
   constexpr std::size_t rounds = 8;
   Per_thread<Growing_region> region(
     concurrency, [&] { return Growing_region(patches, graph, samples, options); });
@@ -84,8 +85,8 @@ inline std::vector<Local_separator> grown_separators(const Patches& patches,
   return found;
 }
 
-/// Separators that cut limbs, the shortest first and none touching a patch of another: of all that
-/// cross one place the tightest is the cross-section.
+/// Part 3a: returns separators that cut limbs, the shortest first, no patch on two of them. Of all
+/// separators at one place the shortest is the cross-section. O(n log n) in practice.
 inline std::vector<Local_separator> local_separators(const Surface& surface, const Samples& samples,
                                                      const Ball_overlaps& overlaps,
                                                      const Separator_options& options,

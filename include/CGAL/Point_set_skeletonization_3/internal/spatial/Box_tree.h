@@ -19,33 +19,32 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The squared distance of a place to a box, 0 inside. Without a branch, unlike Eigen's
-/// `squaredExteriorDistance()`: which side a place is on nobody can guess.
+/// Returns the squared distance of a place to a box, 0 inside. Branchless, unlike Eigen's
+/// `squaredExteriorDistance()`, whose branches are unpredictable.
 inline double squared_distance(const Eigen::AlignedBox3d& box, const Vector3& p)
 {
   return ((box.min)() - p).cwiseMax(p - (box.max)()).cwiseMax(0).squaredNorm();
 }
 
-/// A balanced binary tree of bounding boxes over points, for sums that get coarser with distance and
-/// for what can be bounded in a box. It depends on the points only, and never changes: copies share
-/// it.
+/// A balanced binary tree of bounding boxes over points. Other queries attach bounds or sums to its
+/// nodes. It depends on the points only and never changes: copies share it.
 class Box_tree
 {
 public:
   using Box = Eigen::AlignedBox3d;
 
-  static constexpr std::size_t leaf_size = 8; // a handful costs as much as a node
+  static constexpr std::size_t leaf_size = 8; // testing a few points costs as much as a node
 
   struct Node
   {
-    std::size_t begin, end; ///< Of its points in `order()`.
-    std::size_t after;      ///< The first node after it that is not below it.
+    std::size_t begin, end; ///< Range of its points in `order()`.
+    std::size_t after;      ///< The first node after its subtree.
   };
 
-  /// Over no points.
+  /// The empty tree.
   Box_tree() : data_(std::make_shared<const Data>()) {}
 
-  /// Over points. O(n log n).
+  /// A tree over points. O(n log n).
   explicit Box_tree(const std::vector<Vector3>& points,
                     Concurrency concurrency = Concurrency::sequential)
   {
@@ -68,15 +67,16 @@ public:
     data_ = std::move(data);
   }
 
-  /// In preorder: the root, its left subtree, its right subtree. Empty if there are no points.
+  /// Nodes in preorder: the root, its left subtree, its right subtree. Empty if there are no
+  /// points.
   const std::vector<Node>& nodes() const { return data_->nodes; }
   bool is_leaf(std::size_t node) const { return is_leaf(nodes(), node); }
-  /// \pre it is no leaf
+  /// Left and right child. \pre `node` is not a leaf
   static std::size_t left(std::size_t node) { return node + 1; }
   std::size_t right(std::size_t node) const { return nodes()[left(node)].after; }
-  /// The points, sorted into the leaves.
+  /// Indices of the points in the order of the leaves.
   const std::vector<std::size_t>& order() const { return data_->order; }
-  /// Values of the points, given in that order, by their indices.
+  /// Returns values of the points by index, given in the order of the leaves. O(n).
   template <typename Value>
   std::vector<Value> by_index(const std::vector<Value>& in_order) const
   {
@@ -86,19 +86,19 @@ public:
     return result;
   }
 
-  /// Their positions, in that order.
+  /// Positions of the points in the order of the leaves.
   const std::vector<Vector3>& positions() const { return data_->positions; }
-  /// The bounding box of every node.
+  /// The bounding box of each node.
   const std::vector<Box>& boxes() const { return data_->boxes; }
 
-  /// The box around the values of the points of every node; the values are by index.
+  /// Returns the bounding box of some values, by index of the points, for each node. O(n).
   std::vector<Box> boxes_of(const std::vector<Vector3>& values) const
   {
     return boxes_of(nodes(), [&](std::size_t k) { return values[order()[k]]; });
   }
 
-  /// Calls `visit(k, squared_distance)` for every point closer than `radius` to `center`; it is the
-  /// `k`-th of `order()`, in ascending order.
+  /// Calls `visit(k, squared_distance)` for each point closer than `radius` to `center`, which is
+  /// the `k`-th of `order()`; k ascends. O(log n + result) in practice.
   template <typename Visit>
   void visit_within(const Vector3& center, double radius, const Visit& visit) const
   {
@@ -116,8 +116,9 @@ public:
       });
   }
 
-  /// Calls `visit(begin, end)` for every leaf for which `enter(node)` is true for it and all nodes
-  /// above. Its points are those of `order()` from `begin` to before `end`, `leaf_size` at most.
+  /// Calls `visit(begin, end)` for each leaf such that `enter(node)` is true for it and all its
+  /// ancestors. Its points are those of `order()` from `begin` to before `end`, `leaf_size` at
+  /// most.
   template <typename Enter, typename Visit>
   void visit_leaves(const Enter& enter, const Visit& visit) const
   {
@@ -153,7 +154,7 @@ private:
     return nodes[node].after == node + 1;
   }
 
-  /// Appends the tree over a range of points: halves of equal size.
+  /// Appends the tree over a range of points, split into halves of equal size.
   static void add_nodes(std::vector<Node>& nodes, std::size_t begin, std::size_t end)
   {
     const std::size_t node = nodes.size();
@@ -166,13 +167,14 @@ private:
     nodes[node].after = nodes.size();
   }
 
-  /// Sorts the entries of a node into its halves, across its longest axis; the halves concurrently.
+  /// Sorts the entries of a node into its halves across its longest axis, recursively and
+  /// concurrently.
   static void sort(const std::vector<Node>& nodes, std::size_t node, std::vector<Entry>& entries,
                    Concurrency concurrency)
   {
     const auto at = [&](std::size_t k) { return entries.begin() + static_cast<std::ptrdiff_t>(k); };
     const std::size_t begin = nodes[node].begin, end = nodes[node].end;
-    if(is_leaf(nodes, node)) { // an order of its own, whatever nth_element() leaves
+    if(is_leaf(nodes, node)) { // nth_element() leaves an unspecified order
       std::sort(at(begin), at(end),
                 [](const Entry& a, const Entry& b) { return a.index < b.index; });
       return;

@@ -21,24 +21,24 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Neighbours that a patch of a surface is given: its normal is estimated from them, and they are asked
-/// whether they are adjacent. Half a dozen surround a patch; a few more let diagonals in.
+/// Number of neighbours that give normal and adjacency of a patch. About six surround a patch; a
+/// few more include diagonal ones.
 constexpr std::size_t surface_neighbors = 10;
 
-/// The k-nearest-neighbour graph of a set of points: of every point as many neighbours, nearest first;
-/// the first is the point itself, if no other is there too.
+/// The k-nearest-neighbour graph of points: `k()` neighbours of each, nearest first. The first is
+/// the point itself, unless others coincide with it.
 class K_nearest_neighbors
 {
 public:
   K_nearest_neighbors() = default;
 
-  /// Not known yet.
+  /// Neighbours to be filled in.
   K_nearest_neighbors(std::size_t points, std::size_t k) : k_(k), neighbors_(points * k) {}
 
   /// Number of points.
   std::size_t size() const { return k_ > 0 ? neighbors_.size() / k_ : 0; }
 
-  /// How many neighbours every point has.
+  /// Number of neighbours of each point.
   std::size_t k() const { return k_; }
 
   boost::iterator_range<const Neighbor*> operator[](std::size_t point) const
@@ -53,10 +53,10 @@ public:
 
 private:
   std::size_t k_ = 0;
-  std::vector<Neighbor> neighbors_; ///< Those of one point after the other.
+  std::vector<Neighbor> neighbors_; ///< Of one point after the other.
 };
 
-/// The neighbours of a packet of points of a tree.
+/// Packet query: the nearest neighbours of eight points of a tree.
 class K_nearest_packet
 {
 public:
@@ -64,7 +64,7 @@ public:
     : tree_(tree), packet_tree_(packet_tree), smallest_(k)
   {}
 
-  /// Looks for the neighbours of the points `place(k)`, k < packet_size, in the order of the tree.
+  /// Finds the neighbours of the points `place(k)` in the order of the tree, k < packet_size.
   template <typename Place>
   void look_around(const Place& place)
   {
@@ -73,7 +73,7 @@ public:
               Packet_values::Constant(std::numeric_limits<float>::max()));
     seen_.clear();
     distances_.clear();
-    // Those beside the first bound what may be nearer.
+    // Points next to the first in the tree give a first bound.
     const std::size_t wide = packet_size + smallest_.size();
     const std::size_t first = place(0) - std::min(place(0), wide);
     const std::size_t end = std::min(place(0) + wide, packet_tree_.positions().size());
@@ -84,7 +84,7 @@ public:
     });
   }
 
-  /// Whether a point of a node may be among the nearest.
+  /// Whether a point of `node` may be among the nearest.
   bool may_matter(std::size_t node) const
   {
     return points_.is_any_closer(packet_tree_.boxes()[node], smallest_.back());
@@ -97,7 +97,7 @@ public:
     const float farthest = smallest_.back()[lane];
     near_.resize(seen_.size() + 1);
     std::size_t size = 0;
-    for(std::size_t i = 0; i < seen_.size(); ++i) { // without a branch
+    for(std::size_t i = 0; i < seen_.size(); ++i) { // branchless
       near_[size] = seen_[i];
       size += distances_[i][lane] <= farthest;
     }
@@ -116,7 +116,7 @@ private:
       Packet_values squared = d.squared_norm();
       seen_.push_back(other);
       distances_.push_back(squared);
-      for(Packet_values& smaller : smallest_) { // puts it in its place
+      for(Packet_values& smaller : smallest_) { // insertion into a sorted list
         const Packet_values greater = smaller.max(squared);
         smaller = smaller.min(squared);
         squared = greater;
@@ -127,14 +127,14 @@ private:
   const Box_tree& tree_;
   const Packet_tree& packet_tree_;
   Packet_vectors points_;
-  std::vector<Packet_values> smallest_; ///< Squared distances, the smallest first.
+  std::vector<Packet_values> smallest_; ///< The k least squared distances, ascending.
   std::vector<std::size_t> seen_, near_;
-  std::vector<Packet_values> distances_; ///< To what was seen.
-  std::vector<Neighbor> nearest_;     ///< Of one of them, and some more.
+  std::vector<Packet_values> distances_; ///< Squared distances to the points seen.
+  std::vector<Neighbor> nearest_;     ///< Candidates of one point.
 };
 
-/// Writes the nearest of some points of a tree, `places` in its order, to `result`; quick if points next
-/// to each other in `places` are close.
+/// Writes the nearest neighbours of some points of a tree, `places` in its order, to `result`. Fast
+/// if consecutive places are close.
 inline void find_neighbors(const Box_tree& tree, const std::vector<std::size_t>& places,
                            K_nearest_neighbors& result, Concurrency concurrency)
 {
@@ -150,8 +150,8 @@ inline void find_neighbors(const Box_tree& tree, const std::vector<std::size_t>&
   });
 }
 
-/// The `k` nearest of every point of a tree, or all if there are fewer. They are found in single
-/// precision and ordered in double.
+/// Returns the `k` nearest neighbours of each point of a tree, all if there are fewer: found in
+/// single precision, ordered in double. O(n log n) in practice.
 inline K_nearest_neighbors k_nearest_neighbors(const Box_tree& tree, std::size_t k,
                                                Concurrency concurrency)
 {
@@ -163,8 +163,9 @@ inline K_nearest_neighbors k_nearest_neighbors(const Box_tree& tree, std::size_t
   return result;
 }
 
-/// The same from those of more points: `index_of[i]` is the new index of the `i`-th of them, no less
-/// than the size of the tree if it was dropped. Asks again where a neighbour was.
+/// Returns the nearest neighbours of the remaining points after some were dropped, from those
+/// `before`: `index_of[i]` is the new index of point i, or at least the size of `tree` if it was
+/// dropped. Searches only for points that lost a neighbour.
 inline K_nearest_neighbors renumbered(const K_nearest_neighbors& before,
                                       const std::vector<std::size_t>& index_of,
                                       const Box_tree& tree, Concurrency concurrency)

@@ -10,13 +10,13 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// A neighbour of a place and its squared distance.
+/// Index and squared distance of a neighbour.
 struct Neighbor
 {
   double squared_distance;
   std::size_t index;
 
-  /// By distance, equally distant ones by index: an order that no search structure decides.
+  /// By distance, then by index: an order independent of the search structure.
   bool operator<(const Neighbor& other) const
   {
     return squared_distance != other.squared_distance ? squared_distance < other.squared_distance

@@ -19,30 +19,30 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-// Packets of queries (Wald et al. 2001 trace rays so): what is asked at places next to each other is
-// asked at eight of them at once, as they look at much the same points. In single precision the values
-// of a packet fill two registers of four, and without a branch there is nothing that a processor could
-// guess wrong, which is where most of the time of a search goes.
+// Packet traversal (Wald et al. 2001, for rays): eight nearby places descend a tree together, as
+// they visit nearly the same nodes. In single precision a packet fills two registers of four
+// values. Without branches there are no branch mispredictions, which take most of the time of a
+// single search.
 
-/// Places of a packet.
+/// Number of places of a packet.
 constexpr std::size_t packet_size = 8;
 
-/// A value for every place of a packet.
+/// A value for each place of a packet.
 using Packet_values = Eigen::Array<float, packet_size, 1>;
 
-/// A vector for every place of a packet.
+/// A vector for each place of a packet.
 struct Packet_vectors
 {
   Packet_values x, y, z;
 
-  /// The way from every place to a point.
+  /// The vectors from the places to a point.
   Packet_vectors to(const Eigen::Vector3f& p) const { return {p.x() - x, p.y() - y, p.z() - z}; }
 
   auto dot(const Eigen::Vector3f& v) const { return x * v.x() + y * v.y() + z * v.z(); }
   auto dot(const Packet_vectors& v) const { return x * v.x + y * v.y + z * v.z; }
   auto squared_norm() const { return x * x + y * y + z * z; }
 
-  /// Whether one of the places is closer to a box than its distance, which is given squared.
+  /// Whether a place is closer to a box than its given squared distance.
   bool is_any_closer(const Eigen::AlignedBox3f& box, const Packet_values& squared_distance) const
   {
     const Eigen::Vector3f &lower = (box.min)(), &upper = (box.max)();
@@ -53,7 +53,7 @@ struct Packet_vectors
   }
 };
 
-/// `vector(k)` at the `k`-th place of a packet.
+/// Returns the packet of the vectors `vector(k)`, k < packet_size.
 template <typename Vector>
 Packet_vectors packet_of(const Vector& vector)
 {
@@ -68,15 +68,15 @@ Packet_vectors packet_of(const Vector& vector)
   return result;
 }
 
-/// 1 for every value that is positive, else 0. Refers to the values.
+/// Returns 1 for each positive value, else 0. The result refers to the values.
 template <typename Values>
 auto is_positive(const Values& values)
 {
   return (values * std::numeric_limits<float>::max()).max(0).min(1);
 }
 
-/// Calls `body(first, end)` for the packets `first <= k < end` of `size` places, possibly concurrently;
-/// `end - first` is `packet_size` but for the last.
+/// Calls `body(first, end)` for the packets `first <= k < end` of `size` places, possibly
+/// concurrently; `end - first` is `packet_size`, for the last one perhaps less.
 template <typename Body>
 void for_each_packet(Concurrency concurrency, std::size_t size, const Body& body)
 {
@@ -85,7 +85,7 @@ void for_each_packet(Concurrency concurrency, std::size_t size, const Body& body
   });
 }
 
-/// A box tree in single precision, for the queries of packets.
+/// A copy of a box tree in single precision, for packet queries. O(n).
 class Packet_tree
 {
 public:
@@ -105,13 +105,13 @@ public:
   /// A place in the coordinates of this tree.
   Eigen::Vector3f place(const Vector3& p) const { return (p - origin_).cast<float>(); }
 
-  /// The points, in the order of the leaves.
+  /// Positions of the points in the order of the leaves.
   const std::vector<Eigen::Vector3f>& positions() const { return positions_; }
-  /// The bounding box of every node.
+  /// The bounding box of each node.
   const std::vector<Eigen::AlignedBox3f>& boxes() const { return boxes_; }
 
-  /// Calls `look_at(begin, end)` for the points of every leaf for which `packet.may_matter(node)` is true
-  /// for it and all nodes above.
+  /// Calls `look_at(begin, end)` for the points of each leaf such that `packet.may_matter(node)` is
+  /// true for it and all its ancestors.
   template <typename Packet, typename Look_at>
   void visit_leaves(const Packet& packet, const Look_at& look_at) const
   {
@@ -120,7 +120,7 @@ public:
 
 private:
   Box_tree tree_;
-  Vector3 origin_ = Vector3::Zero(); ///< The middle: single precision is about the points' extent.
+  Vector3 origin_ = Vector3::Zero(); ///< Centre of the points, for precision.
   std::vector<Eigen::Vector3f> positions_;
   std::vector<Eigen::AlignedBox3f> boxes_;
 };

@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The points of a tree that are nearest to the places of a packet.
+/// Packet query: the nearest point of a tree to each of eight places.
 class Nearest_points_packet
 {
 public:
@@ -25,7 +25,7 @@ public:
     : tree_(tree), places_(packet_of([&](std::size_t k) { return tree.place(place(k)); }))
   {}
 
-  /// The place in the order of the tree of the nearest point.
+  /// Position, in the order of the tree, of the point nearest to the `k`-th place.
   std::size_t nearest(std::size_t k) const
   {
     return static_cast<std::size_t>(nearest_[static_cast<Eigen::Index>(k)]);
@@ -41,7 +41,7 @@ public:
     }
   }
 
-  /// Whether a point of a node may be nearer.
+  /// Whether a point of `node` may be nearer.
   bool may_matter(std::size_t node) const
   {
     return places_.is_any_closer(tree_.boxes()[node], squared_);
@@ -51,11 +51,11 @@ private:
   const Packet_tree& tree_;
   Packet_vectors places_;
   Packet_values squared_ = Packet_values::Constant(std::numeric_limits<float>::max()); ///< Distances.
-  Packet_values nearest_ = Packet_values::Zero(); ///< Whole numbers.
+  Packet_values nearest_ = Packet_values::Zero(); ///< Integers.
 };
 
-/// The points of a tree that are nearest to `places`, in single precision. Quick if places next to each
-/// other are close. \pre the tree has points, not more than 2^24
+/// Returns the index of the nearest point of a tree for each place, in single precision. Fast if
+/// consecutive places are close. \pre the tree has 1 to 2^24 points
 inline std::vector<std::size_t> nearest_points(const Box_tree& tree,
                                                const std::vector<Vector3>& places,
                                                Concurrency concurrency)

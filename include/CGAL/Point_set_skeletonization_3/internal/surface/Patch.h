@@ -13,33 +13,33 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// A mixture component read as a piece of surface.
+/// A mixture component as a piece of the surface, in normalised coordinates.
 struct Patch
 {
   Vector3 mean = Vector3::Zero();
-  double weight = 0;
+  double weight = 0; ///< Number of points.
 
-  /// Area of the surface that it stands for.
+  /// Area of the surface that it represents.
   double area = 0;
 
-  /// Unit normal; its sign means something once the surface is oriented.
+  /// Unit normal; its sign is arbitrary until `orient_patches()`.
   Vector3 normal = Vector3::UnitZ();
 
-  /// How flat the patch and its surroundings are, in [0, 1]: 1 for a plane, 0 where the two
-  /// smaller principal variances are equal and a normal is a guess.
+  /// In [0, 1]: 1 for a plane, 0 where the two smaller eigenvalues are equal or the neighbourhood
+  /// is a line, so that the normal is arbitrary.
   double planarity = 0;
 
-  /// Distance at which neighbouring patches lie.
+  /// Distance to the fifth nearest neighbour (of ten), > 0.
   double spacing = 0;
 
-  /// Patches next to it on the surface, ascending; symmetric.
+  /// Adjacent patches, ascending; symmetric.
   std::vector<std::size_t> neighbors;
 };
 
 using Patches = std::vector<Patch>;
 
-/// Patches of a mixture may all lie at one place; lengths and weights relative to their spacing stay
-/// finite if it is no less than this, in bounding box diagonals. Below any spacing of a grid's patches.
+/// Lower bound of the spacing, in bounding box diagonals: patches may coincide, and lengths
+/// relative to the spacing must be finite. Below the spacing of any grid.
 constexpr double least_spacing = 1e-6;
 
 } // namespace internal

@@ -22,13 +22,13 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Two neighbouring patches, `a` before `b`.
+/// Two adjacent patches, `a < b`.
 struct Patch_pair
 {
   std::uint32_t a, b;
 };
 
-/// The pairs of neighbouring patches, each once, in lexicographic order.
+/// Returns the pairs of adjacent patches, each once, in lexicographic order. O(pairs).
 inline std::vector<Patch_pair> adjacent_pairs(const Patches& patches)
 {
   CGAL_precondition(patches.size() <= std::numeric_limits<std::uint32_t>::max());
@@ -45,22 +45,22 @@ inline std::vector<Patch_pair> adjacent_pairs(const Patches& patches)
   return result;
 }
 
-/// The graph of neighbouring patches, in compressed form: the edges of one patch after the other.
+/// The adjacency graph of patches in compressed rows: the edges of one patch after the other.
 class Patch_graph
 {
 public:
-  struct Edge // small: most of the time of a region goes into reading them
+  struct Edge // small: growing regions mostly reads edges
   {
     std::uint32_t patch;
     float length;
   };
 
-  /// Those of all `adjacent_pairs()`.
+  /// An edge for each of the `adjacent_pairs()`.
   Patch_graph(const Patches& patches, const std::vector<Patch_pair>& pairs)
     : Patch_graph(patches, pairs, [](std::size_t) { return true; })
   {}
 
-  /// Those of the pairs with `has(k)` for the `k`-th.
+  /// An edge for each pair with `has(k)`, k its index. O(patches + pairs).
   template <typename Predicate>
   Patch_graph(const Patches& patches, const std::vector<Patch_pair>& pairs,
               const Predicate& has)
@@ -76,7 +76,7 @@ public:
       }
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
     edges_.resize(first_.back());
-    for(std::size_t k : kept) { // afterwards first_[i] is what it is called
+    for(std::size_t k : kept) { // counting sort; afterwards first_[i] is the first of patch i
       const Patch_pair& pair = pairs[k];
       const auto length = static_cast<float>((patches[pair.a].mean - patches[pair.b].mean).norm());
       edges_[first_[pair.a + 1]++] = {pair.b, length};
@@ -84,14 +84,14 @@ public:
     }
   }
 
-  /// The edges from a patch, those to lower indices first.
+  /// The edges from a patch, ascending.
   boost::iterator_range<const Edge*> operator[](std::size_t i) const
   {
     return {edges_.data() + first_[i], edges_.data() + first_[i + 1]};
   }
 
 private:
-  std::vector<std::size_t> first_; ///< Of the edges from every patch.
+  std::vector<std::size_t> first_; ///< Index of the first edge of each patch.
   std::vector<Edge> edges_;
 };
 

@@ -23,20 +23,21 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// An oriented surface of patches, and what the later stages ask it.
+/// An oriented surface of patches, with the structures for queries of later parts.
 struct Surface
 {
   Surface_options options;
   Patches patches;
-  double spacing; ///< The median over the patches.
+  double spacing; ///< Median over the patches.
   Box_tree tree;  ///< Over the patches.
-  std::vector<double> confidence; ///< Of the orientation of every patch, in [0, 1].
+  std::vector<double> confidence; ///< Of the orientation of each patch, in [0, 1].
   Winding_number winding_number;
   Visible_surface visible;
 };
 
-/// Reads Gaussians as an oriented surface. `tree` is over their means, `nearest` are the
-/// `surface_neighbors` of every one, itself first. O(n log n). \pre there is a Gaussian
+/// Part 2b: returns the oriented surface of Gaussians. `tree` is over their means; `nearest` are
+/// the `surface_neighbors` of each, itself first. O(n log n).
+/// \pre there is a Gaussian
 inline Surface build_surface(const Gaussians& gaussians, const Box_tree& tree,
                              const K_nearest_neighbors& nearest, const Surface_options& options,
                              Concurrency concurrency)

@@ -10,42 +10,46 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// What counts as adjacent, as facing, and as inside. All thresholds on normals and winding numbers are
-/// here, whichever stage asks.
+/// Options of part 2b: all thresholds on normals and winding numbers, for all parts.
 struct Surface_options
 {
-  /// A neighbour further away than this many times the spacing of either patch lies across a gap.
-  /// Between two cells of a sampled surface the spacing itself varies by less than that.
+  /// Greatest distance of adjacent patches, in spacings of either, >= 1: beyond it there is a gap.
+  /// Between two cells of a sampled surface the spacing itself varies by less.
   double adjacency_reach = 2.2;
 
-  /// Ratio of the two larger variances around a patch below which it is more and more of a line, which
-  /// has no normal.
+  /// Ratio of variances, the middle to the largest around a patch, in (0, 1]. Below it the
+  /// planarity falls to 0: the neighbourhood becomes a line, which has no normal.
   double least_width = 0.1;
 
-  /// Cosine; a direction is along a normal if they enclose less: 60 degrees.
+  /// Cosine, in (0, 1); a direction is along a normal if the angle between them is less than 60
+  /// degrees.
   double along_normal = 0.5;
 
-  /// Cosine; normals that enclose more are opposite, the two sides of a limb or of the air between two
-  /// limbs: 107 degrees. A crease between two limbs is a right angle or so, and a bump or noise on one
-  /// side turns no normal as far. Normals that enclose less than the supplement continue each other.
+  /// Cosine, in (-1, 0]; normals more than 107 degrees apart are opposite: the two sides of a limb,
+  /// or of the air between two limbs. A crease between two limbs is about a right angle; bumps and
+  /// noise turn normals by less. Normals less than 73 degrees apart, the supplement, continue each
+  /// other.
   double opposite_normals = -0.3;
 
-  /// Sum of the cosines between the normals of two opposite patches and the way between them, above
-  /// which they face each other: both by 66 degrees, or one straight ahead.
+  /// Two patches with opposite normals face each other if the cosines between their normals and the
+  /// segment between them add up to more than this, in (0, 2): both 66 degrees, or one straight
+  /// ahead.
   double towards = 0.8;
 
-  /// Confidence in [0, 1] of an orientation below which it is a guess, and nothing is built on it.
+  /// Orientation confidence, in (0, 1), below which a normal is not used.
   double trusted_orientation = 0.3;
 
-  /// Winding number from which on a place counts as inside: 1 inside and 0 outside a closed surface, a
-  /// half on it and in the middle of a hole of the data, less in a limb so thin that its patches are no
-  /// planes. On the surface: a patch with less than minus that is inside out, with more oriented well.
+  /// Least winding number inside, in (0, 0.5). It is 1 inside and 0 outside a closed surface, 0.5
+  /// on it and in the middle of a hole of the data, and lower in limbs so thin that their patches
+  /// are not planar. On the surface, patches below its negative are oriented inwards, patches above
+  /// it outwards.
   double least_inside = 0.25;
 
-  /// Winding number below which a curve through the shape has left it. Stricter than `least_inside`, as
-  /// a curve may not take a short cut through the air beside a hole of the data.
+  /// Winding number, in (0, 1), below which a curve has left the shape. Higher than `least_inside`:
+  /// a curve must not pass through the air beside a hole of the data.
   double air = 0.4;
 
+  /// Checks all ranges.
   void check() const
   {
     CGAL_precondition(adjacency_reach >= 1);

@@ -21,11 +21,11 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// How far the surface is that a place sees from inside.
+/// Distances from places to the surface that is visible from inside.
 class Visible_surface
 {
 public:
-  /// `tree` is over the patches.
+  /// `tree` is over the patches; `confidence` is that of their orientation. O(n).
   Visible_surface(const Patches& patches, const std::vector<double>& confidence,
                   const Box_tree& tree)
     : box_tree_(tree), tree_(tree)
@@ -36,14 +36,15 @@ public:
     }
   }
 
-  /// The distance from every place to the nearest patch that it sees from inside; 0 if it sees none.
-  /// Quick if places next to each other are close.
+  /// Returns the distance from each place to the nearest patch visible from inside, see
+  /// `least_visible_cosine()`; 0 if none is. Fast if consecutive places are close (packet
+  /// traversal).
   std::vector<double> distances(const std::vector<Vector3>& places, Concurrency concurrency) const
   {
     return distances(places, concurrency, [](Packet&, std::size_t, std::size_t) {});
   }
 
-  /// The same from a place for every patch; quicker if it sees the patch.
+  /// The same for one place per patch, in their order; faster if it sees the patch.
   std::vector<double> distances_beside_patches(const std::vector<Vector3>& places,
                                                Concurrency concurrency) const
   {
@@ -53,7 +54,7 @@ public:
       in_order.push_back(places[i]);
     return box_tree_.by_index(distances(
       in_order, concurrency, [](Packet& packet, std::size_t first, std::size_t end) {
-        packet.look_at(first, end); // at the patches themselves
+        packet.look_at(first, end); // the patches themselves, as a first bound
       }));
   }
 
@@ -88,21 +89,21 @@ private:
       squared_ = squared_.min(squared + far * hidden);
     }
 
-    /// Whether a patch of a node may be nearer.
+    /// Whether a patch of `node` may be nearer than the nearest so far.
     bool may_matter(std::size_t node) const
     {
       return places_.is_any_closer(patches_.tree_.boxes()[node], squared_);
     }
 
   private:
-    static constexpr float far = 1e20f; // from everything
+    static constexpr float far = 1e20f; // greater than any squared distance
 
     const Visible_surface& patches_;
     Packet_vectors places_;
-    Packet_values squared_ = Packet_values::Constant(far); ///< Distances.
+    Packet_values squared_ = Packet_values::Constant(far); ///< Squared distances so far.
   };
 
-  /// `begin(packet, first, end)` may let a packet look at what it probably sees.
+  /// `begin(packet, first, end)` may test probable patches first, as a bound.
   template <typename Begin>
   std::vector<double> distances(const std::vector<Vector3>& places, Concurrency concurrency,
                                 const Begin& begin) const

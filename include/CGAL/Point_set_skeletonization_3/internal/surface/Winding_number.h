@@ -23,16 +23,16 @@ namespace Point_set_skeletonization_3 {
 namespace internal {
 
 /// The generalised winding number of oriented patches: 1 inside, 0 outside, in between near holes.
-/// The patches are dipoles, and what is far away counts as the first two terms of its Taylor
-/// expansion (Barill et al. 2018). Patches closer than half their spacing are left out: a dipole says
-/// nothing about its own neighbourhood.
+/// Patches are dipoles, and a distant subtree counts as the first two terms of its Taylor expansion
+/// (Barill et al. 2018). Patches closer than half their spacing are ignored: a dipole is wrong
+/// there.
 ///
-/// In single precision, and so in units of the extent of the patches, from their middle: it is compared
-/// with a quarter or a half, and several places close to each other cost hardly more than one.
+/// In single precision, relative to the centre and extent of the patches: values are compared with
+/// thresholds only. Packets of nearby places cost hardly more than one place.
 class Winding_number
 {
 public:
-  /// `tree` is over the patches.
+  /// `tree` is over the patches. O(n log n).
   Winding_number(const Patches& patches, const Box_tree& tree, Concurrency concurrency)
     : tree_(tree)
   {
@@ -56,9 +56,10 @@ public:
     });
   }
 
+  /// The winding number at a place. O(log n) in practice.
   double operator()(const Vector3& q) const { return (*this)(std::array<Vector3, 1>{{q}})[0]; }
 
-  /// At places close to each other.
+  /// The winding numbers at `N` places close to each other.
   template <std::size_t N>
   std::array<double, N> operator()(const std::array<Vector3, N>& places) const
   {
@@ -73,7 +74,7 @@ public:
     return result;
   }
 
-  /// At many places; quick if places next to each other are close.
+  /// At many places; fast if consecutive places are close.
   std::vector<double> at_places(const std::vector<Vector3>& places, Concurrency concurrency) const
   {
     std::vector<double> result(places.size());
@@ -91,14 +92,15 @@ private:
   template <std::size_t N>
   using Values = Eigen::Array<float, N, 1>;
 
-  /// A patch.
+  /// A patch, in units of the extent of all.
   struct Dipole
   {
     Vector3 position;
     Vector3 moment; ///< Normal times area.
-    double reach;   ///< Closer than that it does not count.
+    double reach;   ///< Ignored at smaller distances.
   };
 
+  /// A dipole in single precision.
   struct Near_dipole
   {
     Near_dipole(const Dipole& d)
@@ -112,7 +114,7 @@ private:
       const Values<N> x = position.x() - q.col(0), y = position.y() - q.col(1),
                       z = position.z() - q.col(2);
       const Values<N> squared = x * x + y * y + z * z;
-      const Values<N> count = is_positive(squared - squared_reach); // whether they do
+      const Values<N> count = is_positive(squared - squared_reach); // 1 if it counts, else 0
       const Values<N> known = squared.max(squared_reach);
       return count * (moment.x() * x + moment.y() * y + moment.z() * z) / (known * known.sqrt());
     }
@@ -121,13 +123,13 @@ private:
     float squared_reach;
   };
 
-  /// What adds up over dipoles.
+  /// Sums over dipoles.
   struct Sums
   {
     double weight = 0;
     Vector3 weighted_position = Vector3::Zero(), moment = Vector3::Zero();
-    Matrix3 second = Matrix3::Zero(); ///< Of positions times moments.
-    double reach = 0;                 ///< The largest.
+    Matrix3 second = Matrix3::Zero(); ///< Sum of outer products of position and moment.
+    double reach = 0;                 ///< Maximum.
 
     void add(const Dipole& dipole)
     {
@@ -164,7 +166,7 @@ private:
     return result;
   }
 
-  /// Dipoles seen from far away.
+  /// The expansion of the dipoles of a node.
   struct Group
   {
     Group() = default;
@@ -183,14 +185,14 @@ private:
       diagonal = (Vector3::Constant(second.trace()) - 3 * second.diagonal()).cast<float>();
       const Matrix3 twice = second + second.transpose();
       mixed = -3 * Vector3(twice(1, 2), twice(2, 0), twice(0, 1)).cast<float>();
-      // How many radii away the expansion starts to count. The error at 3 is 0.006 in the mean and
-      // 0.03 at most, below what the dipoles themselves are wrong by near the surface; at 2 it is
-      // three times that, for two thirds of the time.
+      // The expansion is used beyond `beta` radii. At 3 its error is 0.006 in the mean and 0.03 at
+      // most, less than that of dipoles near the surface; at 2 three times that, in two thirds of
+      // the time.
       constexpr double beta = 3;
       reach = static_cast<float>(std::max(beta * radius, radius + sums.reach));
     }
 
-    /// The sum of its dipoles.
+    /// The sum of its dipoles. \pre the places are further than `reach` from the centre
     template <std::size_t N>
     Values<N> at(const Eigen::Array<float, N, 3>& q) const
     {
@@ -206,8 +208,8 @@ private:
 
     Eigen::Vector3f center;   ///< Of their area.
     Eigen::Vector3f moment;
-    Eigen::Vector3f diagonal, mixed; ///< The second term: the factors of xx, yy, zz and yz, zx, xy.
-    float reach = 0;                 ///< Beyond this distance from the centre that holds.
+    Eigen::Vector3f diagonal, mixed; ///< Second term: coefficients of xx, yy, zz; yz, zx, xy.
+    float reach = 0;                 ///< Distance from the centre beyond which it is used.
   };
 
   template <std::size_t N>
@@ -233,8 +235,8 @@ private:
   }
 
   Box_tree tree_;
-  Vector3 origin_ = Vector3::Zero(); ///< In the middle of the patches,
-  double unit_ = 1;                  ///< and their extent.
+  Vector3 origin_ = Vector3::Zero(); ///< Centre of the patches.
+  double unit_ = 1;                  ///< Their extent.
   std::vector<Near_dipole> dipoles_; ///< In the order of the tree.
   std::vector<Group> groups_;        ///< Of every node of the tree.
 };

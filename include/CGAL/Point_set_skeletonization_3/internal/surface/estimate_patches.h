@@ -30,8 +30,8 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Normal and planarity of a patch, from its own moments and those of its neighbours with a
-/// Gaussian weight of the local spacing: few points make the moments of a single patch noisy.
+/// Sets normal and planarity of a patch, from its own moments and those of its neighbours with a
+/// Gaussian weight of the local spacing: moments of a single patch with few points are noisy.
 inline void estimate_normal(Patch& patch, const Gaussians& gaussians,
                             const boost::iterator_range<const Neighbor*>& nearest,
                             double least_width)
@@ -51,8 +51,8 @@ inline void estimate_normal(Patch& patch, const Gaussians& gaussians,
     patch.normal = Vector3::UnitZ();
 }
 
-/// Reads Gaussians as patches of a surface that know their neighbours on it. Their signs are arbitrary.
-/// `nearest` are the `surface_neighbors` of every one. O(n).
+/// Returns one patch per Gaussian, with normals of arbitrary sign and adjacency. `nearest` are the
+/// `surface_neighbors` of each. O(n).
 inline Patches estimate_patches(const Gaussians& gaussians, const K_nearest_neighbors& nearest,
                                 const Surface_options& options, Concurrency concurrency)
 {
@@ -62,16 +62,16 @@ inline Patches estimate_patches(const Gaussians& gaussians, const K_nearest_neig
     patch.mean = gaussians[i].mean;
     patch.weight = gaussians[i].weight;
     const std::size_t middle = nearest[i].size() / 2;
-    // A patch without another is as large as the whole.
+    // A single patch is as large as the shape.
     patch.spacing = nearest[i].size() > 1 ? std::sqrt(nearest[i].begin()[middle].squared_distance) : 1;
     patch.spacing = std::max(patch.spacing, least_spacing);
-    // Half of its neighbours share a disc of this radius with it.
+    // A disc of this radius contains the patch and half of its neighbours.
     patch.area = CGAL_PI * patch.spacing * patch.spacing / static_cast<double>(middle + 1);
     estimate_normal(patch, gaussians, nearest[i], options.least_width);
   });
 
   parallel_for(concurrency, patches.size(), [&](std::size_t i) {
-    patches[i].neighbors.reserve(2 * nearest[i].size()); // hardly ever more are added below
+    patches[i].neighbors.reserve(2 * nearest[i].size()); // rarely more are added below
     for(const auto& neighbor : nearest[i]) {
       const std::size_t j = neighbor.index;
       const double reach =
@@ -81,14 +81,14 @@ inline Patches estimate_patches(const Gaussians& gaussians, const K_nearest_neig
         patches[i].neighbors.push_back(j);
     }
   });
-  // Who has found a patch is its neighbour, too: those of one patch after the other.
+  // Makes adjacency symmetric: lists the patches that have found each patch, by counting sort.
   std::vector<std::size_t> end(patches.size() + 1, 0);
   for(const Patch& patch : patches)
     for(std::size_t j : patch.neighbors)
       ++end[j + 1];
   std::partial_sum(end.begin(), end.end(), end.begin());
   std::vector<std::size_t> back(end.back());
-  for(std::size_t i = 0; i < patches.size(); ++i) // afterwards end[j] is what it is called
+  for(std::size_t i = 0; i < patches.size(); ++i) // afterwards end[j] is the end of the list of j
     for(std::size_t j : patches[i].neighbors)
       back[end[j]++] = i;
   parallel_for(concurrency, patches.size(), [&](std::size_t i) {
@@ -101,7 +101,7 @@ inline Patches estimate_patches(const Gaussians& gaussians, const K_nearest_neig
   return patches;
 }
 
-/// The distance at which patches lie, over all of them. \pre there is a patch
+/// Returns the median spacing. O(n). \pre there is a patch
 inline double median_spacing(const Patches& patches)
 {
   std::vector<double> spacings;

@@ -13,11 +13,11 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-// Whether two patches face each other is asked before and after the signs of normals are known, and of
-// patches that see each other through the shape or through the air. All of it is decided here.
+// Tests whether two patches face each other, before and after the signs of normals are known,
+// through the shape and through the air.
 
-/// Whether two patches, of arbitrary signs, belong to two sheets rather than to one: the segment
-/// between them leaves both along their normals; the less flat they are, the closer to them.
+/// Whether two patches, with normals of arbitrary sign, are on two sheets: the segment between them
+/// is within 60 degrees of both normals, or less if the patches are less planar.
 inline bool are_opposite_sheets(const Patch& a, const Patch& b, const Surface_options& options)
 {
   const Vector3 d = (b.mean - a.mean).normalized();
@@ -25,8 +25,8 @@ inline bool are_opposite_sheets(const Patch& a, const Patch& b, const Surface_op
          std::abs(b.normal.dot(d)) * b.planarity > options.along_normal;
 }
 
-/// Whether two oriented patches face each other through the air between two limbs that nearly touch:
-/// their normals are opposite, and each lies in front of the other.
+/// Whether two oriented patches face each other through the air between two close limbs: normals
+/// are opposite, and each lies in front of the other.
 inline bool face_through_air(const Patch& a, const Patch& b, const Surface_options& options)
 {
   const Vector3 d = (b.mean - a.mean).normalized();
@@ -35,9 +35,10 @@ inline bool face_through_air(const Patch& a, const Patch& b, const Surface_optio
          from_a + from_b > options.towards;
 }
 
-/// The cosine between a patch's normal and the way to the patch below which a place does not see it
-/// from inside; the plane of a curved patch is only exact to 6 degrees (cosine -0.1), and the less its
-/// normal can be trusted the further it may be off. Below a half it hides nothing.
+/// Returns the least cosine between the normal of a patch and the direction to it at which a place
+/// sees it from inside. -0.2, or 12 degrees behind the tangent plane, with confidence 1: 6 degrees
+/// since a curved patch deviates from its plane, and 6 for its normal, more if confidence is less.
+/// Below 0.5 always visible.
 inline double least_visible_cosine(double confidence)
 {
   return confidence >= 0.5 ? -0.1 - 0.1 / confidence : -2;

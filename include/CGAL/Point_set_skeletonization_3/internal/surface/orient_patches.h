@@ -25,16 +25,17 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// How well the normal of `b` continues that of `a`: the cosine between `a`'s normal and `b`'s
-/// mirrored in the plane halfway between them, which is 1 for any two patches of one round tube
-/// however far apart (Hoppe et al. 1992 compare the normals themselves and lose thin limbs).
+/// Returns how well the normal of `b` continues that of `a`, in [-1, 1]: the cosine between `a`'s
+/// normal and `b`'s mirrored in the plane halfway between them. 1 for any two patches around a
+/// round tube (Hoppe et al. 1992 compare the normals themselves and lose thin limbs).
 inline double continuation(const Patch& a, const Patch& b)
 {
   const Vector3 d = (b.mean - a.mean).normalized();
   return a.normal.dot(b.normal - 2 * d.dot(b.normal) * d);
 }
 
-/// Flips every normal of one connected piece of surface so that the volume it encloses is positive.
+/// Flips the normals of a connected component if its enclosed volume is negative. O(size of the
+/// component).
 inline void turn_outwards(Patches& patches, const std::vector<std::size_t>& piece)
 {
   Vector3 center = Vector3::Zero();
@@ -44,7 +45,7 @@ inline void turn_outwards(Patches& patches, const std::vector<std::size_t>& piec
     weight += patches[i].weight;
   }
   center /= weight;
-  double flux = 0; // of the field x - center through the oriented patches: 3 times the volume
+  double flux = 0; // of the field x - center: 3 times the volume
   for(std::size_t i : piece)
     flux += patches[i].planarity * patches[i].spacing * patches[i].spacing *
             patches[i].normal.dot(patches[i].mean - center);
@@ -53,22 +54,22 @@ inline void turn_outwards(Patches& patches, const std::vector<std::size_t>& piec
       patches[i].normal = -patches[i].normal;
 }
 
-/// What two neighbouring patches know of each other's signs.
+/// Relative sign of the normals of two adjacent patches.
 struct Sign_link // small: there are many
 {
   std::uint32_t a = 0, b = 0;
   std::uint32_t index = 0;
-  bool is_opposite = false; ///< One of the two has to be turned around.
+  bool is_opposite = false; ///< One of the two normals has to be flipped.
   double trust = 0;         ///< In [0, 1].
 
-  /// The one that is trusted more comes first.
+  /// Greater trust comes first.
   bool operator<(const Sign_link& other) const
   {
     return trust != other.trust ? trust > other.trust : index < other.index;
   }
 };
 
-/// The links between adjacent patches.
+/// Returns the links of all adjacent pairs. O(pairs).
 inline std::vector<Sign_link> sign_links(const Patches& patches, Concurrency concurrency)
 {
   const std::vector<Patch_pair> pairs = adjacent_pairs(patches);
@@ -82,19 +83,19 @@ inline std::vector<Sign_link> sign_links(const Patches& patches, Concurrency con
   return links;
 }
 
-/// The sign of every patch relative to the first one of its piece: union-find over patches with a sign,
-/// as if a patch with one sign and the same patch with the other were two.
+/// Sign of each patch relative to the first of its connected component: union-find over two nodes
+/// per patch, one for each sign.
 class Signed_pieces
 {
 public:
-  /// Every patch is a piece.
+  /// Each patch is a component.
   explicit Signed_pieces(std::size_t size) : sets_(2 * size) {}
 
-  /// The first patch of the piece of a patch.
+  /// The first patch of the component of a patch, and whether their signs are opposite.
   std::size_t piece(std::size_t i) { return sets_.find(node(i, false)) / 2; }
   bool is_opposite(std::size_t i) { return sets_.find(node(i, false)) % 2 == 1; }
 
-  /// \pre the link's patches belong to different pieces
+  /// Joins two components. \pre the patches of the link are in different ones
   void join(const Sign_link& link)
   {
     for(bool sign : {false, true})
@@ -107,7 +108,7 @@ private:
   Union_find sets_;
 };
 
-/// The signs that the spanning forest of the most trusted links hands on.
+/// Returns the signs propagated along the spanning forest of greatest trust. O(links log n).
 inline Signed_pieces signed_pieces(std::vector<Sign_link> links, std::size_t size)
 {
   Union_find pieces(size);
@@ -117,9 +118,9 @@ inline Signed_pieces signed_pieces(std::vector<Sign_link> links, std::size_t siz
   return result;
 }
 
-/// Makes the normals of adjacent patches consistent and outward: a spanning tree of the best continued
-/// edges (Hoppe et al. 1992) hands the sign on, and the sign of the enclosed volume fixes it for every
-/// connected piece.
+/// Makes normals consistent and outward: propagates signs along a maximum spanning forest of the
+/// best continued pairs (Hoppe et al. 1992), then makes the enclosed volume of each connected
+/// component positive. O(n log n).
 inline void orient_patches(Patches& patches, Concurrency concurrency)
 {
   Signed_pieces pieces = signed_pieces(sign_links(patches, concurrency), patches.size());
@@ -133,9 +134,9 @@ inline void orient_patches(Patches& patches, Concurrency concurrency)
     turn_outwards(patches, piece.second);
 }
 
-/// How far the orientation of every patch can be trusted, in [0, 1]: how flat it is, times how well
-/// its neighbours' normals agree with it. Near 0 on twigs thinner than the sampling and in heavy
-/// noise: there whatever relies on a normal has to fade out.
+/// Returns the orientation confidence of each patch, in [0, 1]: its planarity times the mean
+/// continuation by its neighbours. Near 0 on twigs thinner than the sampling and in heavy noise,
+/// where normals must not be used. O(n).
 inline std::vector<double> orientation_confidence(const Patches& patches, Concurrency concurrency)
 {
   std::vector<double> confidence(patches.size(), 0);
@@ -150,8 +151,8 @@ inline std::vector<double> orientation_confidence(const Patches& patches, Concur
   return confidence;
 }
 
-/// The orientation gate: patches that face each other through the air are no neighbours, as far as
-/// their orientation can be trusted.
+/// Makes patches that face each other through the air non-adjacent, if both orientations are
+/// trusted. O(n).
 inline void part_facing_patches(Patches& patches, const std::vector<double>& confidence,
                                 const Surface_options& options, Concurrency concurrency)
 {

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Whether the normals around a patch are along its own, in the mean.
+/// Whether the normals of the neighbours are along that of a patch, in the mean.
 inline bool is_like_its_neighbors(const Patch& patch, const Patches& patches,
                                   const Surface_options& options)
 {
@@ -31,10 +31,9 @@ inline bool is_like_its_neighbors(const Patch& patch, const Patches& patches,
          options.along_normal * static_cast<double>(patch.neighbors.size());
 }
 
-/// The winding numbers at the patches: a half where the surroundings are oriented well, minus a half
-/// where they are inside out, and 0 on an open sheet, which has no inside. What is inside out is a limb,
-/// larger than a few patches next to each other: where one of these has more than `well`, so have
-/// the others.
+/// Returns the winding number at each patch: 0.5 where the surface is oriented outwards, -0.5
+/// inwards, 0 on an open sheet, which has no inside. Limbs oriented inwards are larger than a
+/// packet of patches: if the first of a packet has at least `well`, all get 0.5.
 inline std::vector<double> winding_numbers_on_surface(const Winding_number& winding_number,
                                                       const Box_tree& tree, double well,
                                                       Concurrency concurrency)
@@ -44,7 +43,7 @@ inline std::vector<double> winding_numbers_on_surface(const Winding_number& wind
   for(std::size_t place = 0; place < positions.size(); place += packet_size)
     first_of_packets.push_back(positions[place]);
   const std::vector<double> of_packets = winding_number.at_places(first_of_packets, concurrency);
-  std::vector<std::size_t> unsure; // places in the tree
+  std::vector<std::size_t> unsure; // positions in the order of the tree
   std::vector<Vector3> unsure_positions;
   for(std::size_t place = 0; place < positions.size(); ++place)
     if(of_packets[place / packet_size] < well) {
@@ -58,11 +57,10 @@ inline std::vector<double> winding_numbers_on_surface(const Winding_number& wind
   return result;
 }
 
-/// Turns the patches around whose normals point into the shape: the spanning tree of the orientation
-/// may have taken a wrong turn at a thin or sharp place. The rest of the surface tells: it winds once
-/// around what is behind a patch, and not around what is in front. First whole limbs that are inside
-/// out, then patches unlike their neighbours that have more inside in front of them than behind.
-/// Returns the winding number of what comes out.
+/// Flips normals that point inwards: the spanning forest may propagate a wrong sign across a thin
+/// or sharp place. The winding number should be higher behind a patch than in front of it. First
+/// flips limbs that are oriented inwards, then patches unlike their neighbours with a higher
+/// winding number in front. Returns the winding number of the result. O(n log n).
 inline Winding_number settle_orientation(Patches& patches, const Box_tree& tree,
                                          const Surface_options& options, Concurrency concurrency)
 {
