@@ -48,9 +48,9 @@ struct Consolidation_options
   /// this many times as far away.
   double apart = 1.5;
 
-  /// Sphericity above which the mean replaces the fitted plane as target, and the width of the
-  /// transition. From its middle on, narrower windows are tried.
-  double plane = 0.1, plane_to_blob = 0.2;
+  /// Sphericity above which the mean replaces the fitted plane as target. From the middle of the
+  /// transition on, narrower windows are tried.
+  double plane = 0.1;
 
   /// Thickness over that of the noise: up to `drowned` a limb is as thin as the noise, from
   /// `resolved` on it is not. The radius of a limb is that of the noise at 1.2, twice that at 1.7.
@@ -62,7 +62,7 @@ struct Consolidation_options
     noise.check();
     CGAL_precondition(isolated > 1 && apart >= 1 && sparse > 0);
     CGAL_precondition(thin > 0 && thin < 1);
-    CGAL_precondition(plane >= 0 && plane_to_blob > 0);
+    CGAL_precondition(plane >= 0);
     CGAL_precondition(drowned < resolved);
   }
 
@@ -76,7 +76,6 @@ struct Consolidation_options
     visit("sparse", sparse);
     visit("apart", apart);
     visit("plane", plane);
-    visit("plane_to_blob", plane_to_blob);
     visit("drowned", drowned);
     visit("resolved", resolved);
   }
@@ -227,7 +226,8 @@ private:
                             const Vector3& position) const
   {
     Local_shape shape = views[size].shape(position);
-    while(size-- > 0 && shape.sphericity > options_.plane + options_.plane_to_blob / 2 && drowned(shape) < 0.5) {
+    const double round = options_.plane + options_.noise.transition / 2;
+    while(size-- > 0 && shape.sphericity > round && drowned(shape) < 0.5) {
       const Local_shape narrower = views[size].shape(position);
       if(narrower.sphericity > shape.sphericity)
         break;
@@ -247,8 +247,8 @@ private:
       Vector3& position = moving_.positions[i]; // the windows keep the old positions
       const Local_shape shape = shape_through(views, size[i], position);
       densities[i] = shape.density;
-      const double blob =
-        std::min(1.0, std::max(0.0, (shape.sphericity - options_.plane) / options_.plane_to_blob));
+      const double blob = std::min(
+          1.0, std::max(0.0, (shape.sphericity - options_.plane) / options_.noise.transition));
       const Vector3 step = shape.mean - position;
       // Not along a limb, or its components would form clusters.
       const Vector3 across = step - shape.linearity * shape.axis.dot(step) * shape.axis;
@@ -296,7 +296,9 @@ private:
     std::vector<double> in_order; // densities in the order of the tree
     for(std::size_t i : space.kept())
       in_order.push_back(densities[i]);
-    const auto at = [&](std::size_t k) { return in_order.begin() + static_cast<std::ptrdiff_t>(k); };
+    const auto at = [&](std::size_t k) {
+      return in_order.begin() + static_cast<std::ptrdiff_t>(k);
+    };
     std::vector<double> densest; // maximum of each node of the tree
     for(const Box_tree::Node& node : tree.nodes())
       densest.push_back(*std::max_element(at(node.begin), at(node.end)));

@@ -31,7 +31,10 @@ struct Noise_options
 
   /// The same for the sphericity in the narrowest window: noise that fills a volume evenly has no
   /// scatter, but is nowhere flat.
-  double least_sphericity = 0.3, full_sphericity = 0.5;
+  double least_sphericity = 0.3;
+
+  /// Difference of sphericity over which a decision that depends on it fades from no to yes, > 0.
+  double transition = 0.2;
 
   /// Sphericity below which no wider window is tried, > 0: noise of a fifth of the radius.
   double flat = 0.15;
@@ -40,7 +43,7 @@ struct Noise_options
   void check() const
   {
     CGAL_precondition(least_scatter > 0);
-    CGAL_precondition(0 < least_sphericity && least_sphericity < full_sphericity);
+    CGAL_precondition(least_sphericity > 0 && transition > 0);
     CGAL_precondition(flat > 0);
   }
 
@@ -50,7 +53,7 @@ struct Noise_options
   {
     visit("least_scatter", least_scatter);
     visit("least_sphericity", least_sphericity);
-    visit("full_sphericity", full_sphericity);
+    visit("transition", transition);
     visit("flat", flat);
   }
 };
@@ -120,9 +123,6 @@ inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
 {
   constexpr std::size_t every = 7; // some hundreds of components are enough
   constexpr double quartile = 0.25;
-  const auto ramp = [](double value, double least, double full) {
-    return (value - least) / (full - least);
-  };
   Noise result;
   double least = std::numeric_limits<double>::infinity();
   for(std::size_t size = 0; size < Window_radii::size; ++size) {
@@ -139,8 +139,8 @@ inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
         result.densities.push_back(shape.density);
       const double scattered = scatter(shapes, moving, nearest, radii[0], concurrency);
       result.strength = std::min(
-        1.0, std::max({0.0, ramp(scattered, options.least_scatter, 2 * options.least_scatter),
-                       ramp(sphericity, options.least_sphericity, options.full_sphericity)}));
+        1.0, std::max({0.0, (scattered - options.least_scatter) / options.least_scatter,
+                       (sphericity - options.least_sphericity) / options.transition}));
     }
     if(sphericity > least)
       break;

@@ -5,7 +5,6 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_CURVE_OPTIONS_H
 
 #include <CGAL/assertions.h>
-#include <CGAL/number_utils.h>
 
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
@@ -45,16 +44,13 @@ struct Curve_options
   /// do not undulate within their own width.
   double stiffness = 0.4;
 
-  /// Radians of gaps in a cross-section at which its centroid has weight 0, > 0.
-  double unknown = CGAL_PI;
-
   /// Checks all ranges.
   void check() const
   {
     CGAL_precondition(stray_share >= 0 && stray_share < 1);
     CGAL_precondition(slenderness >= 0 && least_patches >= 0);
     CGAL_precondition(widest_gap >= 0 && thin_limb >= 0 && aligned > 0 && aligned <= 1);
-    CGAL_precondition(half_width > 0 && stiffness >= 0 && unknown > 0);
+    CGAL_precondition(half_width > 0 && stiffness >= 0);
   }
 
   /// Calls `visit(name, value)` for every option.
@@ -69,7 +65,6 @@ struct Curve_options
     visit("aligned", aligned);
     visit("half_width", half_width);
     visit("stiffness", stiffness);
-    visit("unknown", unknown);
   }
 };
 

@@ -53,8 +53,15 @@ public:
   Curve_centring(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
                  double spacing, const Are_inside& inside, const Curve_options& options,
                  Concurrency concurrency)
-    : options_(options), concurrency_(concurrency), graph_(graph), surface_(surface), spacing_(spacing), inside_(inside),
-      adjacency_(graph.adjacency()), start_(graph.vertices), drawn_(graph.vertices.size())
+      : options_(options)
+      , concurrency_(concurrency)
+      , graph_(graph)
+      , surface_(surface)
+      , spacing_(spacing)
+      , inside_(inside)
+      , adjacency_(graph.adjacency())
+      , start_(graph.vertices)
+      , drawn_(graph.vertices.size())
   {}
 
   /// Solves a sparse linear system in each of three rounds.
@@ -110,7 +117,8 @@ private:
     const Cross_section section = cross_section(cut(v, piece, e1, e2, radius));
     // With a gap of 180 degrees the centroid is inaccurate, but better than none; it is not used
     // with a gap of 240 degrees, or where a sheet is open on both sides.
-    const double weight = 1 - section.unknown / options_.unknown;
+    constexpr double half_unknown = CGAL_PI;
+    const double weight = 1 - section.unknown / half_unknown;
     if(!(section.area > 0) || weight <= least_weight)
       return not_drawn(v);
     const Vector3 target =

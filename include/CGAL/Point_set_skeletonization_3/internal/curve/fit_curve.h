@@ -54,8 +54,13 @@ public:
   Curve_fitting(Skeleton_graph graph, const Surface& surface, const Samples& samples,
                 const std::vector<Surface_point>& points, double noise,
                 const Curve_options& options, Concurrency concurrency)
-    : options_(options), graph_(std::move(graph)), surface_(surface), samples_(samples), points_(points),
-      noise_(noise), concurrency_(concurrency)
+      : options_(options)
+      , graph_(std::move(graph))
+      , surface_(surface)
+      , samples_(samples)
+      , points_(points)
+      , noise_(noise)
+      , concurrency_(concurrency)
   {}
 
   /// Smooths the graph, bridges gaps, centres it, moves the tips to the ends of limbs and measures

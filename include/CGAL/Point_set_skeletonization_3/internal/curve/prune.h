@@ -92,7 +92,8 @@ public:
            adjacency[branch.back()].size() == 2)
           continue;
         const bool ends = adjacency[branch.back()].size() == 1;
-        const bool thin = static_cast<double>(number_of_patches(branch, ends)) < options_.least_patches;
+        const bool thin =
+            static_cast<double>(number_of_patches(branch, ends)) < options_.least_patches;
         if(!ends && (branch.size() < 3 || !thin || !is_detour(branch, rest)))
           continue;
         const double s = thin ? 0 : slenderness(branch);

@@ -188,9 +188,11 @@ std::vector<Indices> filled_indices(std::size_t points, std::size_t vertices, co
   static_assert(std::is_integral<Index>::value, "the indices of a vertex must be integers");
   constexpr auto greatest = static_cast<std::uintmax_t>((std::numeric_limits<Index>::max)());
   if(points > 0 && points - 1 > greatest)
-    throw std::length_error("indices of " + std::to_string(points) +
-                            " points do not fit into those of the skeleton's vertices, of which the "
-                            "greatest is " + std::to_string(greatest) + "; use a wider type");
+    throw std::length_error(
+        "indices of " + std::to_string(points) +
+        " points do not fit into those of the skeleton's vertices, of which the "
+        "greatest is " +
+        std::to_string(greatest) + "; use a wider type");
   std::vector<Indices> result(vertices);
   Index_lists lists;
   lists.bytes_of_index = sizeof(Index);

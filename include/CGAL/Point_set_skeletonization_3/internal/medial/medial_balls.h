@@ -72,9 +72,10 @@ private:
   {
   public:
     Packet(const Facing_balls& all, std::size_t first)
-      : all_(all),
-        mean_(packet_of([&](std::size_t k) { return all.tree_.positions()[all.bounded(first + k)]; })),
-        normal_(packet_of([&](std::size_t k) { return all.normals_[all.bounded(first + k)]; }))
+        : all_(all)
+        , mean_(packet_of(
+              [&](std::size_t k) { return all.tree_.positions()[all.bounded(first + k)]; }))
+        , normal_(packet_of([&](std::size_t k) { return all.normals_[all.bounded(first + k)]; }))
     {}
 
     /// Radius of the third smallest ball of the `k`-th patch; 0 if there is none.
@@ -99,7 +100,8 @@ private:
       const Eigen::Vector3f& normal = all_.normals_[other];
       const Packet_vectors d = mean_.to(all_.tree_.positions()[other]);
       const Packet_values face = is_positive(all_.facing_ - normal_.dot(normal));
-      const Packet_values curvature = (-2 * face * d.dot(normal_) / d.squared_norm().max(least)).max(0);
+      const Packet_values curvature =
+          (-2 * face * d.dot(normal_) / d.squared_norm().max(least)).max(0);
       const Packet_values rest = curvature.min(first_), second_rest = rest.min(second_);
       first_ = first_.max(curvature);
       second_ = second_.max(rest);
@@ -132,7 +134,8 @@ private:
     const Facing_balls& all_;
     Packet_vectors mean_, normal_;
     // Curvatures of the three smallest balls, the smallest ball first; 0: none.
-    Packet_values first_ = Packet_values::Zero(), second_ = Packet_values::Zero(), third_ = Packet_values::Zero();
+    Packet_values first_ = Packet_values::Zero(), second_ = Packet_values::Zero(),
+                  third_ = Packet_values::Zero();
   };
 
   /// Finds the smallest balls of a packet. Starts with the leaves `touched` by those of the packet
@@ -155,7 +158,10 @@ private:
       touched.erase(touched.begin(), touched.end() - most);
   }
 
-  std::size_t bounded(std::size_t place) const { return std::min(place, box_tree_.order().size() - 1); }
+  std::size_t bounded(std::size_t place) const
+  {
+    return std::min(place, box_tree_.order().size() - 1);
+  }
 
   Box_tree box_tree_;
   Packet_tree tree_;

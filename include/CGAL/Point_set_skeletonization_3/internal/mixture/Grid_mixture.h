@@ -231,10 +231,12 @@ inline Grid_mixture grid_mixture(const Normalized_points& points, const Grid_opt
   Grid_mixture result;
   if(points.size() == 0)
     return result;
-  const Fine_cells fine = fine_cells(points, options.maximum_fine_cells(), concurrency, progress.part(0, 0.5));
+  const Fine_cells fine =
+      fine_cells(points, options.maximum_fine_cells(), concurrency, progress.part(0, 0.5));
   result.levels.push_back(
     patch_level(fine.cells, fine.grid, options.patches(points.size()), concurrency));
-  result.cell_of_point = add_points(points, result.levels.front(), concurrency, progress.part(0.5, 1));
+  result.cell_of_point =
+      add_points(points, result.levels.front(), concurrency, progress.part(0.5, 1));
   result.add_coarser_levels(number_of_levels);
   return result;
 }

@@ -161,12 +161,12 @@ inline Cell_set cells_around(const std::vector<std::uint64_t>& cells, const Cell
                              std::size_t most, Concurrency concurrency)
 {
   constexpr std::size_t block = 1 << 10;
-  return parallel_sum(
-    concurrency, (cells.size() + block - 1) / block, Cell_set(), [&](std::size_t b, Cell_set& found) {
-      const std::size_t end = std::min(cells.size(), (b + 1) * block);
-      for(std::size_t i = b * block; i < end && found.size() <= most; ++i)
-        found.insert(around(unpacked(cells[i])));
-    });
+  return parallel_sum(concurrency, (cells.size() + block - 1) / block, Cell_set(),
+                      [&](std::size_t b, Cell_set& found) {
+                        const std::size_t end = std::min(cells.size(), (b + 1) * block);
+                        for(std::size_t i = b * block; i < end && found.size() <= most; ++i)
+                          found.insert(around(unpacked(cells[i])));
+                      });
 }
 
 } // namespace internal

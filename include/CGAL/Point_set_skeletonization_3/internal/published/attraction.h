@@ -26,9 +26,9 @@ inline double theta(double squared_distance, double h)
 
 /// The attraction weight theta_h(r) / r of the L1-median (Eq. 5) as a sum of Gaussians,
 /// sum_k amplitude[k] exp(-r^2 / (2 (deviation[k] h)^2)) / h, which makes Eq. 9 a closed form.
-/// Fitted to the relative error over r/h in [0.01, 0.5], where it stays below 14 %; the coefficients
-/// of Preiner et al. (2014) fit the absolute error and are 96 % too small at r = h/2, the distance
-/// from which the far side of a limb has to pull.
+/// Fitted to the relative error over r/h in [0.01, 0.5], where it stays below 14 %; the
+/// coefficients of Preiner et al. (2014) fit the absolute error and are 96 % too small at r = h/2,
+/// the distance from which the far side of a limb has to pull.
 struct Attraction_kernel
 {
   static constexpr std::array<double, 3> amplitude{{79.73184, 18.54099, 5.470513}};

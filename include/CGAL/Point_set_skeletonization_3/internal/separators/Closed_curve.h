@@ -206,7 +206,8 @@ private:
   bool is_solid_before(const Vector3& from, const Vector3& to) const
   {
     constexpr double most_places = 16;
-    const double steps = 1 + std::min(most_places - 1, std::floor((to - from).norm() / resolution_));
+    const double steps =
+        1 + std::min(most_places - 1, std::floor((to - from).norm() / resolution_));
     for(double step = 1; step < steps; step += 4) {
       std::array<Vector3, 4> places;
       for(std::size_t k = 0; k < 4; ++k)

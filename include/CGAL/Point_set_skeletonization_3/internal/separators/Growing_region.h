@@ -43,7 +43,10 @@ public:
   bool empty() const { return size_ == 0; }
   const std::uint32_t* begin() const { return patches_.data(); }
   const std::uint32_t* end() const { return patches_.data() + size_; }
-  void replace(std::size_t k, std::size_t patch) { patches_[k] = static_cast<std::uint32_t>(patch); }
+  void replace(std::size_t k, std::size_t patch)
+  {
+    patches_[k] = static_cast<std::uint32_t>(patch);
+  }
   /// Keeps the first `size` patches. \pre `size <= this->size()`
   void shorten(std::size_t size) { size_ = size; }
 

@@ -103,7 +103,8 @@ public:
     }
     nearest_.resize(size);
     for(std::size_t i = 0; i < size; ++i)
-      nearest_[i] = {(tree_.positions()[near_[i]] - position).squaredNorm(), tree_.order()[near_[i]]};
+      nearest_[i] = {(tree_.positions()[near_[i]] - position).squaredNorm(),
+                     tree_.order()[near_[i]]};
     std::sort(nearest_.begin(), nearest_.end());
     std::copy_n(nearest_.begin(), smallest_.size(), result);
   }
@@ -178,9 +179,10 @@ inline K_nearest_neighbors renumbered(const K_nearest_neighbors& before,
     if(index_of[i] >= size || std::any_of(before[i].begin(), before[i].end(), dropped))
       continue;
     const auto nearest = result[index_of[i]];
-    std::transform(before[i].begin(), before[i].end(), nearest.begin(), [&](const Neighbor& neighbor) {
-      return Neighbor{neighbor.squared_distance, index_of[neighbor.index]};
-    });
+    std::transform(before[i].begin(), before[i].end(), nearest.begin(),
+                   [&](const Neighbor& neighbor) {
+                     return Neighbor{neighbor.squared_distance, index_of[neighbor.index]};
+                   });
     std::sort(nearest.begin(), nearest.end());
     known[index_of[i]] = true;
   }

@@ -50,7 +50,8 @@ public:
 private:
   const Packet_tree& tree_;
   Packet_vectors places_;
-  Packet_values squared_ = Packet_values::Constant(std::numeric_limits<float>::max()); ///< Distances.
+  Packet_values squared_ =
+      Packet_values::Constant(std::numeric_limits<float>::max()); ///< Distances.
   Packet_values nearest_ = Packet_values::Zero(); ///< Integers.
 };
 

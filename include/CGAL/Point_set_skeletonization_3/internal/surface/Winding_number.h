@@ -44,9 +44,10 @@ public:
     std::vector<Dipole> dipoles;
     dipoles.reserve(patches.size());
     for(std::size_t i : tree_.order())
-      dipoles.push_back({(patches[i].mean - origin_) / unit_,
-                         patches[i].planarity * patches[i].area / (unit_ * unit_) * patches[i].normal,
-                         patches[i].spacing / (2 * unit_)});
+      dipoles.push_back(
+          {(patches[i].mean - origin_) / unit_,
+           patches[i].planarity * patches[i].area / (unit_ * unit_) * patches[i].normal,
+           patches[i].spacing / (2 * unit_)});
     dipoles_.assign(dipoles.begin(), dipoles.end());
     const std::vector<Sums> sums = sums_of_nodes(dipoles);
     groups_.resize(sums.size());

@@ -63,7 +63,8 @@ inline Patches estimate_patches(const Gaussians& gaussians, const K_nearest_neig
     patch.weight = gaussians[i].weight;
     const std::size_t middle = nearest[i].size() / 2;
     // A single patch is as large as the shape.
-    patch.spacing = nearest[i].size() > 1 ? std::sqrt(nearest[i].begin()[middle].squared_distance) : 1;
+    patch.spacing =
+        nearest[i].size() > 1 ? std::sqrt(nearest[i].begin()[middle].squared_distance) : 1;
     patch.spacing = std::max(patch.spacing, least_spacing);
     // A disc of this radius contains the patch and half of its neighbours.
     patch.area = CGAL_PI * patch.spacing * patch.spacing / static_cast<double>(middle + 1);
