@@ -8,7 +8,7 @@ endif()
 file(GLOB sources CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" methods/*.cpp)
 list(REMOVE_ITEM sources ${quality_methods})
 add_library(compared_methods STATIC ${sources})
-target_link_libraries(compared_methods PUBLIC measured)
+target_link_libraries(compared_methods PUBLIC measured PRIVATE CGAL::Eigen3_support)
 target_precompile_headers(compared_methods REUSE_FROM measured)
 compile_one_at_a_time(compared_methods)
 
@@ -17,8 +17,10 @@ add_subdirectory(report)
 
 file(GLOB sources CONFIGURE_DEPENDS comparison/*.cpp)
 add_library(comparison STATIC ${sources} forked.cpp)
-target_link_libraries(comparison PUBLIC compared_methods PRIVATE nlohmann_json::nlohmann_json)
+target_link_libraries(comparison PUBLIC compared_methods PRIVATE CGAL::Eigen3_support
+                                                                 nlohmann_json::nlohmann_json)
 target_precompile_headers(comparison REUSE_FROM measured)
+compile_one_at_a_time(comparison)
 
 if(TARGET html_report)
   add_executable(compare_skeletons compare_skeletons.cpp)

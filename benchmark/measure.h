@@ -9,48 +9,18 @@
 #include "Row.h"
 #include "measure_skeleton.h"
 
-#include <CGAL/IO/Curve_skeleton_3.h>
-
 #include <exception>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 /// For a file that could not be read.
-inline Row failed_row(const std::string& file, const std::exception& error)
-{
-  Row row;
-  row.shape = name_of(file);
-  row.status = error.what();
-  return row;
-}
+Row failed_row(const std::string& file, const std::exception& error);
 
 /// Fills in what can be measured with nothing but the cloud.
-inline void measure(Row& row, const Outcome& outcome, const std::vector<Point>& points)
-{
-  row.method = outcome.method;
-  row.points = points.size();
-  measure_skeleton(row, outcome.skeleton, points);
-  row.seconds = outcome.seconds;
-  row.status = outcome.status;
-}
+void measure(Row& row, const Outcome& outcome, const std::vector<Point>& points);
 
 /// Writes the cloud and the skeleton of a row that is not exact, to be looked at.
-inline void write_miss(const std::string& folder, const Row& row, const Skeleton& skeleton,
-                       const std::vector<Point>& points)
-{
-  if(folder.empty() || row.exact().value_or(true))
-    return;
-  std::filesystem::create_directories(folder);
-  std::string name = folder + '/' + row.shape;
-  for(const std::string& part : {row.seed, row.variant})
-    name += part.empty() ? "" : '_' + part;
-  std::ofstream cloud(name + ".xyz");
-  cloud.precision(9);
-  for(const Point& p : points)
-    cloud << p << '\n';
-  CGAL::IO::write_curve_skeleton(name + '_' + row.method + ".ply", skeleton);
-}
+void write_miss(const std::string& folder, const Row& row, const Skeleton& skeleton,
+                const std::vector<Point>& points);
 
 #endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_MEASURE_H
