@@ -23,10 +23,11 @@ using Kernel = CGAL::Simple_cartesian<double>;
 
 int main()
 {
-  const auto points = shapes::to_points<Kernel>(shapes::sample(shapes::cylinder(), 1000, 1));
+  const auto points = shapes::to_points<Kernel>(shapes::sample(shapes::cylinder(), 400, 1));
   CGAL::Curve_skeleton_3<Kernel> skeleton, published;
   const bool is_done = CGAL::extract_l1_medial_skeleton(points, skeleton) &&
-                       CGAL::extract_published_l1_medial_skeleton(points, published);
+                       CGAL::extract_published_l1_medial_skeleton(
+                         points, published, CGAL::parameters::number_of_iterations(3));
   const auto is_path = [](const auto& graph) {
     return num_vertices(graph) > 1 && num_edges(graph) + 1 == num_vertices(graph);
   };

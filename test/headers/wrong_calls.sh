@@ -12,10 +12,10 @@ expected=$(sed -n 's,^ *// expected: ,,p' "$source" | sort)
 # 'error: static_assert failed due to requirement R "X"', or without quotes in newer ones.
 errors=$(printf '%s\n' "$output" | sed -n 's/^.*[: ]error: *//p')
 found=$(printf '%s\n' "$errors" |
-        sed -n 's/^static[_ ]assert.*failed[^"]*"\(.*\)"$/\1/p; t
-                s/^static assertion failed: //p; t
-                s/^static[_ ]assert[a-z]* failed due to requirement .*': //p; t
-                s/^/another error: /p' | sort)
+        sed -n -e 's/^static[_ ]assert.*failed[^"]*"\(.*\)"$/\1/p' -e t \
+            -e 's/^static assertion failed: //p' -e t \
+            -e "s/^static assertion failed due to requirement .*': //p" -e t \
+            -e 's/^/another error: /p' | sort)
 [ "$found" = "$expected" ] || {
   printf 'expected these errors:\n%s\nbut found:\n%s\n' "$expected" "$found"
   exit 1
