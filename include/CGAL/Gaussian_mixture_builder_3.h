@@ -5,6 +5,7 @@
 #define CGAL_GAUSSIAN_MIXTURE_BUILDER_3_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Normalization.h>
+#include <CGAL/Point_set_skeletonization_3/internal/interface/named_parameters.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/public_data.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Grid_mixture.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Moment_grid.h>
@@ -62,10 +63,14 @@ public:
   template <typename PointRange, typename NamedParameters = parameters::Default_named_parameters>
   void insert(const PointRange& points, const NamedParameters& np = parameters::default_values())
   {
-    using Helper = Point_set_processing_3_np_helper<PointRange, NamedParameters>;
-    const auto map = Helper::get_const_point_map(points, np);
-    for(const auto& item : points)
-      insert(get(map, item));
+    namespace internal = Point_set_skeletonization_3::internal;
+    static_assert(internal::Maps_to_points<PointRange, NamedParameters>::value,
+                  "the elements of the range are not 3D points: pass point_map(MAP)");
+    if constexpr(internal::Maps_to_points<PointRange, NamedParameters>::value) {
+      const auto map = internal::point_map_of(points, np);
+      for(const auto& item : points)
+        insert(get(map, item));
+    }
   }
 
   /// Adds one point.

@@ -22,9 +22,15 @@ template <typename ConcurrencyTag = Sequential_tag, typename PointRange,
 auto fit_gaussian_mixture(const PointRange& points,
                           const NamedParameters& np = parameters::default_values())
 {
-  using Traits = Point_set_skeletonization_3::internal::Geom_traits_of<PointRange, NamedParameters>;
-  L1_medial_skeletonization_3<Traits, ConcurrencyTag> skeletonization(points, np);
-  return skeletonization.fit_mixture() ? skeletonization.mixture() : Gaussian_mixture_3<Traits>();
+  namespace internal = Point_set_skeletonization_3::internal;
+  static_assert(internal::Maps_to_points<PointRange, NamedParameters>::value,
+                "the elements of the range are not 3D points: pass point_map(MAP)");
+  if constexpr(internal::Maps_to_points<PointRange, NamedParameters>::value) {
+    using Traits = internal::Geom_traits_of<PointRange, NamedParameters>;
+    L1_medial_skeletonization_3<Traits, ConcurrencyTag> skeletonization(points, np);
+    return skeletonization.fit_mixture() ? skeletonization.mixture()
+                                         : Gaussian_mixture_3<Traits>();
+  }
 }
 
 /// The same for the points of a builder. The named parameter is `callback`.

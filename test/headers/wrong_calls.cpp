@@ -4,6 +4,7 @@
 // Wrong calls. Each must give one error, which says in a sentence what is wrong; the sentence
 // follows the call here.
 
+#include <CGAL/Gaussian_mixture_builder_3.h>
 #include <CGAL/compute_medial_samples.h>
 #include <CGAL/extract_l1_medial_skeleton.h>
 #include <CGAL/extract_published_l1_medial_skeleton.h>
@@ -26,6 +27,10 @@ void wrong_calls(const std::vector<Kernel::Point_3>& points,
   CGAL::extract_l1_medial_skeleton(pairs, skeleton);
   // expected: the elements of the range are not 3D points: pass point_map(MAP)
   CGAL::extract_published_l1_medial_skeleton(pairs, skeleton);
+  // expected: the elements of the range are not 3D points: pass point_map(MAP)
+  CGAL::fit_gaussian_mixture(pairs);
+  // expected: the elements of the range are not 3D points: pass point_map(MAP)
+  CGAL::Gaussian_mixture_builder_3<Kernel>(CGAL::Bbox_3()).insert(pairs);
   // expected: the elements of the range are not 3D points: pass point_map(MAP)
   CGAL::extract_l1_medial_skeleton(points, skeleton, parameters::random_seed(1));
   // expected: unknown named parameter: known are point_map, geom_traits, callback, single_component

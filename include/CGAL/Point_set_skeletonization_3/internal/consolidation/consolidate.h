@@ -63,7 +63,7 @@ struct Consolidation_options
     CGAL_precondition(isolated > 1 && apart >= 1 && sparse > 0);
     CGAL_precondition(thin > 0 && thin < 1);
     CGAL_precondition(plane >= 0);
-    CGAL_precondition(drowned < resolved);
+    CGAL_precondition(drowned > 0 && drowned < resolved);
   }
 
   /// Calls `visit(name, value)` for every option.
