@@ -7,6 +7,7 @@
 #include "axis_distance.h"
 #include "inside_share.h"
 #include "measure.h"
+#include "to_points.h"
 
 #include "generator/clouds.h"
 #include "generator/families.h"
@@ -20,23 +21,6 @@
 
 namespace {
 
-std::vector<Point> to_points(const std::vector<shapes::Vector>& vectors)
-{
-  std::vector<Point> points;
-  points.reserve(vectors.size());
-  for(const shapes::Vector& v : vectors)
-    points.emplace_back(v.x(), v.y(), v.z());
-  return points;
-}
-
-double least_radius(const shapes::Known_shape& shape)
-{
-  double radius = shape.axis.front().radius_a;
-  for(const shapes::Axis_segment& piece : shape.axis)
-    radius = std::min({radius, piece.radius_a, piece.radius_b});
-  return radius;
-}
-
 /// Fills in what can be measured because the shape is known.
 void measure_shape(Row& row, const Skeleton& skeleton, const shapes::Known_shape& shape)
 {
@@ -48,7 +32,7 @@ void measure_shape(Row& row, const Skeleton& skeleton, const shapes::Known_shape
     return shape.solid.signed_distance({p.x(), p.y(), p.z()}) <= 0;
   };
   constexpr double step = 0.2; // least radii
-  row.inside = metrics::inside_share(skeleton, inside, step * least_radius(shape));
+  row.inside = metrics::inside_share(skeleton, inside, step * shapes::least_radius(shape));
 }
 
 /// The rows of one shape: its variants, each by every method.

@@ -7,7 +7,9 @@
 #include "Random.h"
 #include "Solid.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -37,6 +39,15 @@ struct Known_shape
   std::vector<Junction> junctions;
   std::size_t components = 1, cycles = 0, ends = 0; ///< Of the skeleton as a graph.
 };
+
+/// Of the thinnest limb.
+inline double least_radius(const Known_shape& shape)
+{
+  double radius = std::numeric_limits<double>::infinity();
+  for(const Axis_segment& piece : shape.axis)
+    radius = std::min({radius, piece.radius_a, piece.radius_b});
+  return radius;
+}
 
 } // namespace shapes
 

@@ -4,13 +4,13 @@
 // The shapes whose skeleton is known: that it is what they say, and their clouds.
 
 #include "catch2.h"
+#include "generator/Axis_graph.h"
 #include "generator/Voxels.h"
+#include "generator/branching_tree.h"
 #include "generator/clouds.h"
 #include "generator/families.h"
 
-#include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/connected_components.hpp>
-#include <boost/graph/dijkstra_shortest_paths.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -40,14 +40,6 @@ double diagonal(const Known_shape& shape)
   return shape.solid.bounding_box().diagonal().norm();
 }
 
-double thinnest(const Known_shape& shape)
-{
-  double radius = std::numeric_limits<double>::infinity();
-  for(const Axis_segment& s : shape.axis)
-    radius = std::min({radius, s.radius_a, s.radius_b});
-  return radius;
-}
-
 bool is_near_junction(const Known_shape& shape, const Vector& p)
 {
   return std::any_of(shape.junctions.begin(), shape.junctions.end(),
@@ -61,61 +53,6 @@ void for_axis_points(const Known_shape& shape, const Visit& visit)
   for(const Axis_segment& s : shape.axis)
     for(double t : {0.0, 0.25, 0.5, 0.75})
       visit(Vector(s.a + t * (s.b - s.a)), s.radius_a + t * (s.radius_b - s.radius_a));
-}
-
-struct Node
-{
-  Vector position;
-  double radius; ///< The largest of the pieces that meet here.
-};
-
-using Length = boost::property<boost::edge_weight_t, double>;
-using Axis_graph =
-    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Node, Length>;
-
-std::size_t node_at(Axis_graph& graph, const Vector& position, double radius)
-{
-  for(std::size_t v = 0; v < num_vertices(graph); ++v)
-    if((graph[v].position - position).norm() < 1e-9) {
-      graph[v].radius = std::max(graph[v].radius, radius);
-      return v;
-    }
-  return add_vertex({position, radius}, graph);
-}
-
-Axis_graph axis_graph(const Known_shape& shape)
-{
-  Axis_graph graph;
-  for(const Axis_segment& s : shape.axis) {
-    const std::size_t a = node_at(graph, s.a, s.radius_a), b = node_at(graph, s.b, s.radius_b);
-    add_edge(a, b, (s.b - s.a).norm(), graph);
-  }
-  return graph;
-}
-
-/// The same axis in pieces no longer than the thinnest limb's radius.
-Known_shape with_short_segments(const Known_shape& shape)
-{
-  const double longest = thinnest(shape);
-  Known_shape result;
-  for(const Axis_segment& s : shape.axis) {
-    const int pieces = static_cast<int>(std::ceil((s.b - s.a).norm() / longest));
-    const auto bead = [&](int i) {
-      const double t = static_cast<double>(i) / pieces;
-      return Bead{s.a + t * (s.b - s.a), s.radius_a + t * (s.radius_b - s.radius_a)};
-    };
-    for(int i = 0; i < pieces; ++i)
-      add_axis(result, {bead(i), bead(i + 1)});
-  }
-  return result;
-}
-
-/// Lengths of the shortest walks along the axis to all nodes.
-std::vector<double> walks_from(const Axis_graph& graph, std::size_t node)
-{
-  std::vector<double> lengths(num_vertices(graph));
-  boost::dijkstra_shortest_paths(graph, node, boost::distance_map(lengths.data()));
-  return lengths;
 }
 
 /// From an end to the next junction or, if there is none, to the other end.
@@ -140,7 +77,44 @@ Free_limb free_limb(const Axis_graph& graph, std::size_t end)
   return limb;
 }
 
+/// The axis has the counts that the shape states.
+void check_counts(const Known_shape& shape)
+{
+  const Axis_graph graph = axis_graph(shape);
+  std::vector<std::size_t> component(num_vertices(graph));
+  const auto components =
+      static_cast<std::size_t>(boost::connected_components(graph, component.data()));
+  std::size_t ends = 0, junctions = 0;
+  for(std::size_t v = 0; v < num_vertices(graph); ++v) {
+    ends += out_degree(v, graph) == 1;
+    junctions += out_degree(v, graph) >= 3;
+  }
+  CHECK(components == shape.components);
+  CHECK(num_edges(graph) + components - num_vertices(graph) == shape.cycles);
+  CHECK(ends == shape.ends);
+  CHECK(junctions == shape.junctions.size());
+}
+
 } // namespace
+
+TEST_CASE("The axis has the counts that its family states")
+{
+  for_shapes(40, check_counts);
+}
+
+TEST_CASE("A branching tree has two to the power of its levels ends, far apart")
+{
+  for(const int levels : {1, 2, 5}) {
+    CAPTURE(levels);
+    const Known_shape tree = branching_tree(levels, 1);
+    check_counts(tree);
+    CHECK(tree.ends == std::size_t(1) << levels);
+    CHECK(tree.junctions.size() == tree.ends - 2);
+    if(levels > 1)
+      CHECK(narrowest_gap(tree) > 3);
+    CHECK(branching_tree(levels, 2).axis.front().b != tree.axis.front().b);
+  }
+}
 
 TEST_CASE("A family that does not exist is refused")
 {
@@ -148,29 +122,10 @@ TEST_CASE("A family that does not exist is refused")
   CHECK_THROWS_AS(known_shape("dragon", 0), std::invalid_argument);
 }
 
-TEST_CASE("The axis has the counts that its family states")
-{
-  for_shapes(40, [&](const Known_shape& shape) {
-    const Axis_graph graph = axis_graph(shape);
-    std::vector<std::size_t> component(num_vertices(graph));
-    const auto components =
-        static_cast<std::size_t>(boost::connected_components(graph, component.data()));
-    std::size_t ends = 0, junctions = 0;
-    for(std::size_t v = 0; v < num_vertices(graph); ++v) {
-      ends += out_degree(v, graph) == 1;
-      junctions += out_degree(v, graph) >= 3;
-    }
-    CHECK(components == shape.components);
-    CHECK(num_edges(graph) + components - num_vertices(graph) == shape.cycles);
-    CHECK(ends == shape.ends);
-    CHECK(junctions == shape.junctions.size());
-  });
-}
-
 TEST_CASE("The solid has the topology of its axis, even when limbs have grown into the gaps")
 {
   for_shapes(8, [&](const Known_shape& shape) {
-    const double radius = thinnest(shape);
+    const double radius = least_radius(shape);
     const long expected = static_cast<long>(shape.components) - static_cast<long>(shape.cycles);
     const Voxels grown(shape.solid, 0.4 * radius, 0.25 * radius);
     CHECK(grown.euler_number() == expected);
@@ -179,20 +134,7 @@ TEST_CASE("The solid has the topology of its axis, even when limbs have grown in
 
 TEST_CASE("Between limbs that do not meet there is a gap")
 {
-  for_shapes(8, [](const Known_shape& shape) {
-    const Axis_graph graph = axis_graph(with_short_segments(shape));
-    double narrowest = std::numeric_limits<double>::infinity(); // in radii of the thinner limb
-    for(std::size_t v = 0; v < num_vertices(graph); ++v) {
-      const std::vector<double> walks = walks_from(graph, v);
-      for(std::size_t w = 0; w < v; ++w) {
-        const double sum = graph[v].radius + graph[w].radius;
-        const double gap = (graph[v].position - graph[w].position).norm() - sum;
-        if(walks[w] > 5 * sum) // farther than across a fork, even a sharp one
-          narrowest = std::min(narrowest, gap / std::min(graph[v].radius, graph[w].radius));
-      }
-    }
-    CHECK(narrowest >= 0.99);
-  });
+  for_shapes(8, [](const Known_shape& shape) { CHECK(narrowest_gap(shape) >= 0.99); });
 }
 
 TEST_CASE("The axis is as deep inside as its radius says")
@@ -212,7 +154,7 @@ TEST_CASE("The axis is as deep inside as its radius says")
 TEST_CASE("Limbs are thick enough for noise, and free ends stick out")
 {
   for_shapes(100, [&](const Known_shape& shape) {
-    CHECK(thinnest(shape) >= 0.025 * diagonal(shape));
+    CHECK(least_radius(shape) >= 0.025 * diagonal(shape));
     const Axis_graph graph = axis_graph(shape);
     for(std::size_t v = 0; v < num_vertices(graph); ++v)
       if(out_degree(v, graph) == 1) {
@@ -277,6 +219,14 @@ TEST_CASE("The surface is sampled uniformly by area")
       CHECK(on_faces[axis] / double(size) ==
             Approx(8 * core.prod() / core[axis] / box.area()).epsilon(0.1));
     CHECK(on_corners / double(size) == Approx(2 * full_turn * 0.04 / box.area()).epsilon(0.1));
+  }
+  SECTION("of a union: without what is inside")
+  {
+    // Two balls through each other's centres: three quarters of each are outside.
+    Solid solid;
+    solid.add(Round_cone(Vector::Zero(), Vector(0.001, 0, 0), 1, 1));
+    solid.add(Round_cone(Vector(1, 0, 0), Vector(1.001, 0, 0), 1, 1));
+    CHECK(solid.area(random) == Approx(0.75 * 4 * full_turn).epsilon(0.02));
   }
   SECTION("of a union: no point inside, none counted twice where primitives coincide")
   {
