@@ -14,6 +14,8 @@
 struct Truth
 {
   std::optional<std::size_t> components, cycles, ends;
+  std::optional<std::size_t> junctions =
+      std::nullopt; ///< where no two of them are one to a skeleton
 };
 
 /// How good a skeleton is. What cannot be known of it is not measured.

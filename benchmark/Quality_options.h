@@ -13,12 +13,14 @@ struct Quality_options
 {
   std::vector<std::string> families; ///< all if empty
   std::vector<std::string> variants; ///< all if empty
-  unsigned int seeds = 5;            ///< shapes of every family
+  unsigned int seeds = 1;            ///< shapes of every family
   unsigned int first_seed = 1;       ///< of the first of them
 
   std::vector<std::string> files;
   std::vector<double> noise = {0, 0.005, 0.01}; ///< standard deviations, in diagonals
   bool mean_curvature_flow = false;
+
+  int levels = 0; ///< of a tree; 0: the trees of the table
 
   std::size_t points = 20000;
   bool as_published = false;

@@ -20,6 +20,7 @@ struct Row : Measurements
   std::string variant; ///< of the cloud
   std::string method;
   std::size_t points = 0;
+  double thinnest = not_measured; ///< radius of a limb, in distances between points
   double axis_mean = not_measured, axis_maximum = not_measured; ///< local radii
   double seconds = not_measured;
   std::string status = "ok"; ///< or what went wrong
@@ -31,12 +32,14 @@ struct Row : Measurements
   }
   std::optional<bool> cycles_exact() const { return is_exact(got.cycles, truth.cycles); }
   std::optional<bool> ends_exact() const { return is_exact(got.ends, truth.ends); }
+  std::optional<bool> junctions_exact() const { return is_exact(got.junctions, truth.junctions); }
 
   /// Whether all that is known is right.
   std::optional<bool> exact() const
   {
     std::optional<bool> result;
-    for(const std::optional<bool>& part : {components_exact(), cycles_exact(), ends_exact()})
+    for(const std::optional<bool>& part :
+        {components_exact(), cycles_exact(), ends_exact(), junctions_exact()})
       if(part)
         result = *part && result.value_or(true);
     return result;

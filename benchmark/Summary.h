@@ -138,7 +138,8 @@ inline void write_misses(std::ostream& out, const std::vector<Row>& rows)
     out << row.method << (row.status == "ok" ? "" : ", " + row.status)
         << difference("components", row.got.components, row.truth.components)
         << difference("cycles", row.got.cycles, row.truth.cycles)
-        << difference("ends", row.got.ends, row.truth.ends) << '\n';
+        << difference("ends", row.got.ends, row.truth.ends)
+        << difference("junctions", row.got.junctions, row.truth.junctions) << '\n';
   }
   out << std::flush;
 }

@@ -6,12 +6,14 @@
 
 #include "Quality_options.h"
 #include "clouds.h"
+#include "detail.h"
 #include "generated.h"
 #include "meshes.h"
 #include "sweep.h"
 
 #include <CLI/CLI.hpp>
 
+#include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -40,9 +42,11 @@ void add_points_option(CLI::App& command, Quality_options& options)
       ->check(CLI::Range(1, 100000000));
 }
 
-void add_seed_options(CLI::App& command, Quality_options& options)
+void add_seed_options(CLI::App& command, Quality_options& options, unsigned int seeds = 5)
 {
-  command.add_option("--seeds", options.seeds, "shapes of a family [5]")
+  command.preparse_callback([&options, seeds](std::size_t) { options.seeds = seeds; });
+  command
+      .add_option("--seeds", options.seeds, "shapes of a family [" + std::to_string(seeds) + "]")
       ->type_name("N")
       ->check(CLI::Range(1, 1000000));
   command.add_option("--first-seed", options.first_seed, "seed of the first shape [1]")
@@ -57,6 +61,21 @@ CLI::App* add_generated(CLI::App& app, Quality_options& options)
   command->add_option("--variants", options.variants, "some only, a,b")->delimiter(',');
   add_seed_options(*command, options);
   add_points_option(*command, options);
+  add_common_options(*command, options);
+  return command;
+}
+
+CLI::App* add_detail(CLI::App& app, Quality_options& options)
+{
+  constexpr int most_levels = 16; // 65536 ends
+  CLI::App* command = app.add_subcommand("detail", "trees with ever finer limbs");
+  add_points_option(*command, options);
+  command->add_option("--levels", options.levels, "one tree with 2^N ends [four trees]")
+      ->type_name("N")
+      ->check(CLI::Range(1, most_levels))
+      ->needs("--points");
+  command->get_option("--points")->needs("--levels");
+  add_seed_options(*command, options, 1);
   add_common_options(*command, options);
   return command;
 }
@@ -86,7 +105,8 @@ CLI::App* add_clouds(CLI::App& app, Quality_options& options)
 
 CLI::App* add_sweep(CLI::App& app, Quality_options& options)
 {
-  CLI::App* command = app.add_subcommand("sweep", "every option moved by 20 %, on generated shapes");
+  CLI::App* command =
+      app.add_subcommand("sweep", "every option moved by 20 %, on generated shapes");
   add_seed_options(*command, options);
   add_points_option(*command, options);
   command->add_option("--threads", options.threads, "clouds at a time [1]")
@@ -102,6 +122,7 @@ int run(int argc, char** argv)
   CLI::App app("How good skeletons are, in one table.", "quality");
   app.require_subcommand(1);
   const CLI::App* generated = add_generated(app, options);
+  const CLI::App* detail = add_detail(app, options);
   const CLI::App* meshes = add_meshes(app, options);
   const CLI::App* clouds = add_clouds(app, options);
   const CLI::App* sweep = add_sweep(app, options);
@@ -114,6 +135,8 @@ int run(int argc, char** argv)
   }
   if(generated->parsed())
     generated::run(options);
+  if(detail->parsed())
+    detail::run(options);
   if(meshes->parsed())
     meshes::run(options);
   if(clouds->parsed())

@@ -30,7 +30,7 @@ has() { # has COLUMN ROW VALUE
   check "row $2: $1 is $3, not $(field "$1" "$2")" test "$(field "$1" "$2")" = "$3"
 }
 
-for command in generated meshes clouds; do
+for command in generated detail meshes clouds; do
   accepts "$command" --help
   for option in $(grep -o -- '--[a-z-]*' out); do
     [ "$option" = --help ] ||
@@ -42,6 +42,8 @@ refuses subcommand
 refuses FILES meshes
 refuses --nonsense generated --nonsense
 refuses --seeds generated --seeds 0
+refuses --points detail --levels 3
+refuses --levels detail --points 1000
 refuses nonsense generated --families nonsense
 refuses nonsense generated --variants nonsense
 refuses cannot generated --csv nowhere/table.csv
@@ -65,6 +67,22 @@ accepts generated --families ring --seeds 2 --variants clean,noise_half_percent 
   --csv table.csv --threads 2
 cut -d, -f1-19 table.csv > two.csv
 check "the same for any number of threads" cmp one.csv two.csv
+
+accepts detail --points 3000 --levels 2 --seeds 2 --first-seed 4 --csv table.csv
+check "a head and a row for every seed" test "$(wc -l < table.csv)" = 3
+for row in 1 2; do
+  has seed $row $((row + 3))
+  has points $row 3000
+  has ends_true $row 4
+  has junctions_true $row 2
+  has exact $row yes
+done
+is_relative() { # is_relative DENSE: with a quarter of the points it is half
+  accepts detail --points 750 --levels 2 --first-seed 4 --csv table.csv
+  awk -v dense="$1" -v sparse="$(field thinnest 1)" \
+    'BEGIN { exit !(dense / sparse > 1.95 && dense / sparse < 2.05) }'
+}
+check "the thinnest limb is measured in distances between points" is_relative "$(field thinnest 1)"
 
 accepts meshes closed.off open.off nowhere.off --noise 0 --points 1000 --mcf --csv table.csv
 has comp_true 1 1
