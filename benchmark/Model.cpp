@@ -10,14 +10,19 @@
 
 #include "generator/Random.h"
 
+#include <CGAL/Aff_transformation_3.h>
+#include <CGAL/Polygon_mesh_processing/transform.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/bounding_box.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
 
 namespace {
+
+using Transformation = Kernel::Aff_transformation_3;
 
 double diagonal(const std::vector<Point>& points)
 {
@@ -59,6 +64,18 @@ Model read_model(const std::string& file, std::size_t number_of_points, unsigned
   if(model.points.empty())
     throw std::runtime_error("its faces have no area");
   add_mesh(model, soup);
+  return model;
+}
+
+Model turned(Model model, unsigned int seed)
+{
+  const Eigen::Matrix3d r = shapes::Random(seed).rotation();
+  const Transformation turn(r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1),
+                            r(2, 2));
+  std::transform(model.points.begin(), model.points.end(), model.points.begin(), turn);
+  CGAL::Polygon_mesh_processing::transform(turn, model.mesh);
+  for(Mesh& component : model.components)
+    CGAL::Polygon_mesh_processing::transform(turn, component);
   return model;
 }
 

@@ -30,6 +30,9 @@ struct Model
 /// \throw std::runtime_error
 Model read_model(const std::string& file, std::size_t number_of_points, unsigned int seed);
 
+/// In a random orientation. The diagonal stays as it is, and with it all that is measured in it.
+Model turned(Model model, unsigned int seed);
+
 /// Isotropic Gaussian noise. \param deviation in the unit of the points
 std::vector<Point> with_noise(std::vector<Point> points, double deviation, unsigned int seed);
 

@@ -65,14 +65,18 @@ Row row_of(const Model& model, const std::string& variant, const Outcome& outcom
   return row;
 }
 
-/// The rows of the clouds of a model.
-void add_cloud_rows(const Model& model, const Quality_options& options, std::vector<Row>& rows)
+/// Between the noise and the number of the turn.
+const std::string turn_mark = " turn ";
+
+/// The rows of the clouds of a model. \param turn how it was turned, for the names of the variants
+void add_cloud_rows(const Model& model, const std::string& turn, const Quality_options& options,
+                    std::vector<Row>& rows)
 {
   std::map<std::string, Skeleton> clean; // by method
   for(const double noise : options.noise) {
     const std::vector<Point> points = with_noise(model.points, noise * model.diagonal, 1);
     for(const Outcome& outcome : skeletonize(points, options.as_published)) {
-      Row row = row_of(model, "noise " + fixed(noise, 3), outcome, points, options);
+      Row row = row_of(model, "noise " + fixed(noise, 3) + turn, outcome, points, options);
       if(noise > 0)
         measure_stability(row, outcome.skeleton, clean[outcome.method], model.diagonal);
       else
@@ -102,7 +106,9 @@ std::vector<Row> rows_of(const std::string& file, const Quality_options& options
   try {
     const Model model = read_mesh(file, options.points);
     std::vector<Row> rows;
-    add_cloud_rows(model, options, rows);
+    add_cloud_rows(model, "", options, rows);
+    for(unsigned int turn = 1; turn <= options.turns; ++turn)
+      add_cloud_rows(turned(model, turn), turn_mark + std::to_string(turn), options, rows);
     if(options.mean_curvature_flow)
       add_mesh_rows(model, options, rows);
     return rows;
@@ -114,7 +120,7 @@ std::vector<Row> rows_of(const std::string& file, const Quality_options& options
 Layout layout()
 {
   using namespace columns;
-  return {{text("model", 16, &Row::shape), text("variant", 11, &Row::variant),
+  return {{text("model", 16, &Row::shape), text("variant", 18, &Row::variant),
            text("method", 9, &Row::method), exact(), count("comp", &Graph_counts::components),
            truth("comp_true", &Truth::components), count("cycles", &Graph_counts::cycles),
            truth("cycles_true", &Truth::cycles), count("ends", &Graph_counts::ends),
@@ -128,7 +134,8 @@ Layout layout()
            total_spurs(), mean("unexplained", &Row::unexplained, 4),
            mean("moved", &Row::moved_mean, 4), mean("moved_max", &Row::moved_maximum, 4),
            mean("seconds", &Row::seconds, 2)},
-          {[](const Row& row) { return row.variant; }}};
+          // Turned or not.
+          {[](const Row& row) { return row.variant.substr(0, row.variant.find(turn_mark)); }}};
 }
 
 } // namespace

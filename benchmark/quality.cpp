@@ -87,6 +87,9 @@ CLI::App* add_meshes(CLI::App& app, Quality_options& options)
       ->required();
   command->add_option("--noise", options.noise, "standard deviations, in diagonals [0,0.005,0.01]")
       ->delimiter(',');
+  command->add_option("--turns", options.turns, "also every model in N random orientations [0]")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1000));
   command->add_flag("--mcf", options.mean_curvature_flow,
                     "also rows of CGAL's mean curvature flow on the mesh");
   add_points_option(*command, options);

@@ -99,6 +99,20 @@ has exact 4 NO
 has cycles_true 4 -
 check "what is wrong with a file" test "$(field status 7)" != ok
 
+accepts meshes closed.off --noise 0,0.005 --points 1000 --turns 2 --csv table.csv
+check "a head and a row for every cloud in every orientation" test "$(wc -l < table.csv)" = 7
+has variant 2 "noise 0.005"
+has variant 3 "noise 0.000 turn 1"
+has variant 6 "noise 0.005 turn 2"
+check "turns are grouped by noise" grep -q '^noise 0.005  *default  *3 ' out
+for row in 1 3 5; do
+  has cycles_true $row 1
+  has moved $row -
+  has inside $row 1.0000 # of the mesh, which has to be turned as well
+done
+measured() { sed -n "$(($1 + 1))p" table.csv | cut -d, -f3-16; } # of a row, without the seconds
+check "the cloud is turned" test "$(measured 1)" != "$(measured 3)"
+
 accepts clouds cloud.xyz cloud.xyz:5 --as-published --csv table.csv --misses misses
 has points 1 600
 has exact 1 -
