@@ -6,6 +6,7 @@
 
 #include "Random.h"
 #include "Solid.h"
+#include "Triangle.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,7 +16,8 @@
 
 namespace shapes {
 
-/// A straight piece of a curve skeleton. A radius is the distance to the surface at an end.
+/// A straight piece of a curve skeleton. A radius is the distance to the surface at an end; on a
+/// sheet, to its border.
 struct Axis_segment
 {
   Vector a, b;
@@ -29,16 +31,27 @@ struct Junction
   double radius;
 };
 
-/// A solid and its curve skeleton. Pieces of the axis are connected where their ends coincide.
+/// A solid, possibly with sheets on it, and its curve skeleton. Pieces of the axis are connected
+/// where their ends coincide.
 struct Known_shape
 {
   std::string family;
   unsigned seed = 0;
   Solid solid;
+  std::vector<Triangle> sheets; ///< only a scanner sees them
   std::vector<Axis_segment> axis;
   std::vector<Junction> junctions;
   std::size_t components = 1, cycles = 0, ends = 0; ///< Of the skeleton as a graph.
 };
+
+/// Of the solid and the sheets.
+inline Eigen::AlignedBox3d bounding_box(const Known_shape& shape)
+{
+  Eigen::AlignedBox3d box = shape.solid.bounding_box();
+  for(const Triangle& triangle : shape.sheets)
+    box.extend(triangle.bounding_box());
+  return box;
+}
 
 /// Of the thinnest limb.
 inline double least_radius(const Known_shape& shape)

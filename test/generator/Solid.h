@@ -31,6 +31,8 @@ public:
     areas_up_to_.push_back(total_area_);
   }
 
+  const std::vector<Primitive>& primitives() const { return primitives_; }
+
   /// Negative inside. Exact outside; inside, a lower bound of the depth.
   double signed_distance(const Vector& p) const
   {

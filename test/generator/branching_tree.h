@@ -37,13 +37,8 @@ inline Known_shape branching_tree(int levels, unsigned seed)
   constexpr double length = 1, radius = 0.076; // of half of the first limb
   Known_shape shape;
   internal::add_fork(shape, {Vector::Zero(), radius}, length, 0, levels);
-  add_junctions(shape);
   set_counts(shape, 1, 0, std::size_t(1) << levels);
-  Random random(seed);
-  rotate(shape, random.rotation());
-  shape.family = "branching_tree";
-  shape.seed = seed;
-  return shape;
+  return finished(shape, Random(seed).rotation(), "branching_tree", seed);
 }
 
 } // namespace shapes

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -118,12 +119,25 @@ inline void set_counts(Known_shape& shape, std::size_t components, std::size_t c
 inline void rotate(Known_shape& shape, const Eigen::Matrix3d& rotation)
 {
   shape.solid.rotate(rotation);
+  for(Triangle& triangle : shape.sheets)
+    triangle.rotate(rotation);
   for(Axis_segment& segment : shape.axis) {
     segment.a = rotation * segment.a;
     segment.b = rotation * segment.b;
   }
   for(Junction& junction : shape.junctions)
     junction.position = rotation * junction.position;
+}
+
+/// What every shape gets when it is drawn.
+inline Known_shape finished(Known_shape shape, const Eigen::Matrix3d& rotation,
+                            const std::string& family, unsigned seed)
+{
+  add_junctions(shape);
+  rotate(shape, rotation);
+  shape.family = family;
+  shape.seed = seed;
+  return shape;
 }
 
 } // namespace shapes

@@ -7,12 +7,12 @@
 #include "Known_shape.h"
 #include "Random.h"
 #include "drawing.h"
+#include "families/Family.h"
 #include "families/bodies.h"
 #include "families/letters.h"
 #include "families/loops.h"
 #include "families/trees.h"
 
-#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -21,11 +21,9 @@ namespace shapes {
 
 namespace families {
 
-using Family = Known_shape (*)(Random&);
-
-inline const std::map<std::string, Family>& all()
+inline const Families& all()
 {
-  static const std::map<std::string, Family> families = {
+  static const Families families = {
       {"body_with_limbs", body_with_limbs},
       {"chain_of_rings", chain_of_rings},
       {"fat_torus", fat_torus},
@@ -50,12 +48,7 @@ inline const std::map<std::string, Family>& all()
 /// Kinds of shapes that `known_shape()` draws, in alphabetical order.
 inline const std::vector<std::string>& family_names()
 {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> result;
-    for(const auto& family : families::all())
-      result.push_back(family.first);
-    return result;
-  }();
+  static const std::vector<std::string> names = names_of(families::all());
   return names;
 }
 
@@ -74,12 +67,8 @@ inline Known_shape known_shape(const std::string& family, unsigned seed)
   if(found == families::all().end())
     throw std::invalid_argument("known_shape: no family " + family);
   Random random(seed);
-  Known_shape shape = found->second(random);
-  add_junctions(shape);
-  rotate(shape, random.rotation());
-  shape.family = family;
-  shape.seed = seed;
-  return shape;
+  const Known_shape shape = found->second(random);
+  return finished(shape, random.rotation(), family, seed);
 }
 
 } // namespace shapes

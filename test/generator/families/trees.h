@@ -98,6 +98,14 @@ inline bool are_apart(const std::vector<Limb>& limbs)
   return true;
 }
 
+/// Whether no other limb goes on where this one ends.
+inline bool is_free(const Limb& limb, const std::vector<Limb>& limbs)
+{
+  return std::none_of(limbs.begin(), limbs.end(), [&](const Limb& other) {
+    return other.front().centre == limb.back().centre;
+  });
+}
+
 /// A stem that forks into branches and those into twigs.
 inline Known_shape plant(Random& random)
 {
@@ -111,12 +119,8 @@ inline Known_shape plant(Random& random)
   Known_shape shape;
   for(const Limb& limb : limbs)
     add_limb(shape, limb);
-  const auto is_free = [&](const Limb& limb) {
-    return std::none_of(limbs.begin(), limbs.end(), [&](const Limb& other) {
-      return other.front().centre == limb.back().centre;
-    });
-  };
-  const auto tips = std::count_if(limbs.begin(), limbs.end(), is_free);
+  const auto tips = std::count_if(limbs.begin(), limbs.end(),
+                                  [&](const Limb& limb) { return is_free(limb, limbs); });
   set_counts(shape, 1, 0, static_cast<std::size_t>(tips) + 1);
   return shape;
 }
