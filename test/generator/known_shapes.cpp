@@ -7,10 +7,9 @@
 #include "generator/Axis_graph.h"
 #include "generator/Voxels.h"
 #include "generator/branching_tree.h"
+#include "generator/check_counts.h"
 #include "generator/clouds.h"
 #include "generator/families.h"
-
-#include <boost/graph/connected_components.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -75,24 +74,6 @@ Free_limb free_limb(const Axis_graph& graph, std::size_t end)
     limb.length += (graph[limb.foot].position - graph[previous].position).norm();
   } while(out_degree(limb.foot, graph) == 2);
   return limb;
-}
-
-/// The axis has the counts that the shape states.
-void check_counts(const Known_shape& shape)
-{
-  const Axis_graph graph = axis_graph(shape);
-  std::vector<std::size_t> component(num_vertices(graph));
-  const auto components =
-      static_cast<std::size_t>(boost::connected_components(graph, component.data()));
-  std::size_t ends = 0, junctions = 0;
-  for(std::size_t v = 0; v < num_vertices(graph); ++v) {
-    ends += out_degree(v, graph) == 1;
-    junctions += out_degree(v, graph) >= 3;
-  }
-  CHECK(components == shape.components);
-  CHECK(num_edges(graph) + components - num_vertices(graph) == shape.cycles);
-  CHECK(ends == shape.ends);
-  CHECK(junctions == shape.junctions.size());
 }
 
 } // namespace
