@@ -4,14 +4,11 @@
 #ifndef POINT_SET_SKELETONIZATION_3_BENCHMARK_METRICS_NEAREST_POINT_RADII_H
 #define POINT_SET_SKELETONIZATION_3_BENCHMARK_METRICS_NEAREST_POINT_RADII_H
 
-#include <CGAL/Kernel_traits.h>
-#include <CGAL/Orthogonal_k_neighbor_search.h>
-#include <CGAL/Search_traits_3.h>
+#include "Point_tree.h"
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/range/iterator_range.hpp>
 
-#include <cmath>
 #include <vector>
 
 namespace metrics {
@@ -22,13 +19,9 @@ namespace metrics {
 template <typename Skeleton, typename Point_3>
 void set_nearest_point_radii(Skeleton& skeleton, const std::vector<Point_3>& points)
 {
-  using Traits = CGAL::Search_traits_3<typename CGAL::Kernel_traits<Point_3>::Kernel>;
-  using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
-  const typename Search::Tree tree(points.begin(), points.end());
-  for(const auto v : boost::make_iterator_range(vertices(skeleton))) {
-    const Search search(tree, skeleton[v].point, 1);
-    skeleton[v].radius = std::sqrt(search.begin()->second);
-  }
+  const Point_tree tree(points);
+  for(const auto v : boost::make_iterator_range(vertices(skeleton)))
+    skeleton[v].radius = tree.distance(to_point(skeleton[v].point));
 }
 
 } // namespace metrics

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What is found of a known skeleton, and what of ours has no points around it.
+
+#include "catch2.h"
+#include "share_within.h"
+#include "unsupported_share.h"
+
+#include <CGAL/Curve_skeleton_3.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
+
+namespace {
+
+Skeleton path(const std::vector<Point>& points)
+{
+  Skeleton skeleton(points.size());
+  for(std::size_t i = 0; i < points.size(); ++i) {
+    skeleton[i].point = points[i];
+    if(i > 0)
+      add_edge(i - 1, i, skeleton);
+  }
+  return skeleton;
+}
+
+/// Points around the z axis from `begin` to `end`, on the first `degrees` of a tube of radius 1.
+std::vector<metrics::Point> tube(double begin, double end, int degrees)
+{
+  std::vector<metrics::Point> points;
+  for(double z = begin; z <= end; z += 0.05)
+    for(int angle = 0; angle <= degrees; angle += 5)
+      points.emplace_back(std::cos(angle * CGAL_PI / 180), std::sin(angle * CGAL_PI / 180), z);
+  return points;
+}
+
+const Skeleton axis = path({Point(0, 0, 0), Point(0, 0, 10)});
+
+double unsupported(const std::vector<metrics::Point>& points, double near)
+{
+  return metrics::unsupported_share(axis, metrics::Point_tree(points), near);
+}
+
+} // namespace
+
+TEST_CASE("The share of a skeleton that another one is near")
+{
+  constexpr double distance = 0.1, step = 0.01;
+  const Skeleton corner = path({Point(0, 0, 0), Point(3, 0, 0), Point(3, 1, 0)});
+  const Skeleton line = path({Point(-5, 0.05, 0), Point(5, 0.05, 0)});
+  const auto share = [&](const Skeleton& a, const Skeleton& b) {
+    return metrics::share_within(
+        distance, a, b, [](const metrics::Point&) { return true; }, step);
+  };
+  CHECK(share(corner, line) == Approx((3 + 0.15) / 4).margin(step));
+  CHECK(share(line, corner) == Approx(0.3).margin(2 * distance / 10));
+  CHECK(share(line, line) == 1);
+  CHECK(share(line, Skeleton()) == 0);
+  CHECK(std::isnan(share(Skeleton(), line)));
+
+  const auto is_up = [](const metrics::Point& p) { return p.y() > 0; };
+  CHECK(metrics::share_within(distance, corner, line, is_up, step) == Approx(0.15).margin(step));
+}
+
+TEST_CASE("The nearest point, and those within a distance")
+{
+  const metrics::Point_tree tree(
+      std::vector<Point>{Point(0, 0, 0), Point(1, 0, 0), Point(3, 0, 0)});
+  CHECK(tree.distance({2.5, 0, 0}) == 0.5);
+  CHECK(tree.within(1.5, {0.1, 0, 0}).size() == 2);
+  CHECK(tree.within(0.5, {2, 0, 0}).empty());
+  const metrics::Point_tree empty(std::vector<Point>{});
+  CHECK(empty.distance({0, 0, 0}) == std::numeric_limits<double>::infinity());
+}
+
+TEST_CASE("A skeleton is supported within a tube, of which a half is enough")
+{
+  CHECK(unsupported(tube(-1, 11, 360), 0.15) == 0);
+  CHECK(unsupported(tube(-1, 11, 180), 0.15) == 0);
+  CHECK(unsupported(tube(-1, 11, 120), 0.15) == 1);
+}
+
+TEST_CASE("A skeleton is supported by points that are near, wherever they are")
+{
+  CHECK(unsupported(tube(-1, 11, 0), 1.1) == 0);
+  CHECK(unsupported(tube(-1, 11, 0), 0.9) == 1);
+}
+
+TEST_CASE("A skeleton from one limb to another is not supported between them")
+{
+  std::vector<metrics::Point> points = tube(-1, 2, 360);
+  for(const metrics::Point& p : tube(8, 11, 360))
+    points.push_back(p);
+  // Beside the middle, points are more before and behind than beside.
+  CHECK(unsupported(points, 0.15) == Approx(0.4).margin(0.03));
+}
+
+TEST_CASE("A skeleton without a cloud is not supported")
+{
+  CHECK(unsupported({}, 0.15) == 1);
+  Skeleton alone(1);
+  alone[0].point = Point(0, 0, 0);
+  const metrics::Point_tree tree(tube(-1, 1, 360));
+  CHECK(metrics::unsupported_share(alone, tree, 0.15) == 1); // it has no direction
+  CHECK(metrics::unsupported_share(alone, tree, 1.1) == 0);
+}
