@@ -3,17 +3,11 @@
 
 #include "alpha_wrap.h"
 
+#include "average_spacing.h"
 #include "components_of.h"
 #include "remesh.h"
 
 #include <CGAL/alpha_wrap_3.h>
-#include <CGAL/compute_average_spacing.h>
-
-double average_spacing(const std::vector<Point>& points)
-{
-  constexpr unsigned int neighbours = 6; // as in CGAL's examples
-  return CGAL::compute_average_spacing<CGAL::Sequential_tag>(points, neighbours);
-}
 
 std::vector<Mesh> alpha_wrap(const std::vector<Point>& points)
 {

@@ -8,9 +8,6 @@
 
 #include <vector>
 
-/// The mean distance of a point to its six nearest, in the unit of the points.
-double average_spacing(const std::vector<Point>& points);
-
 /// The closed surface around the points: Portaneri, Rouxel-Labbe, Hemmer, Cohen-Steiner, Alliez,
 /// "Alpha Wrapping with an Offset", SIGGRAPH 2022. Balls of alpha do not get in between the points:
 /// alpha is 3 spacings, which closes the gaps of random samples, the offset 0.3 spacings.

@@ -3,7 +3,7 @@
 
 #include "poisson_mcf.h"
 
-#include "alpha_wrap.h"
+#include "average_spacing.h"
 #include "components_of.h"
 #include "mcf.h"
 #include "remesh.h"
