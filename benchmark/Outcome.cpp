@@ -6,6 +6,7 @@
 #include "methods/defect_of.h"
 #include "methods/l1_medial.h"
 #include "methods/l1_medial_published.h"
+#include "methods/spanning_tree.h"
 
 #include <CGAL/Real_timer.h>
 
@@ -31,6 +32,13 @@ Outcome run_method(const std::string& name, Method_result (&method)(const Method
   }
   outcome.seconds = timer.time();
   return outcome;
+}
+
+Outcome baseline(const std::vector<Point>& points)
+{
+  Method_input input;
+  input.points = points;
+  return run_method("tree", spanning_tree, input);
 }
 
 std::vector<Outcome> skeletonize(const std::vector<Point>& points, bool also_as_published)

@@ -22,6 +22,9 @@ struct Outcome
 Outcome run_method(const std::string& name, Method_result (&method)(const Method_input&),
                    const Method_input& input);
 
+/// The spanning tree of the points, as a baseline.
+Outcome baseline(const std::vector<Point>& points);
+
 /// This package on a raw cloud, by default and, if wanted, as published.
 std::vector<Outcome> skeletonize(const std::vector<Point>& points, bool also_as_published);
 

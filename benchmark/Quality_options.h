@@ -18,10 +18,13 @@ struct Quality_options
 
   std::vector<std::string> files;
   std::vector<double> noise = {0, 0.005, 0.01}; ///< standard deviations, in diagonals
-  unsigned int turns = 0; ///< orientations of every model beside its own
+  unsigned int turns = 0;                       ///< orientations of every model beside its own
   bool mean_curvature_flow = false;
 
   int levels = 0; ///< of a tree; 0: the trees of the table
+
+  std::vector<std::size_t> sizes = {5000, 20000, 80000}; ///< points of the scans
+  std::vector<int> places = {1, 3, 6};                   ///< of the scanner
 
   std::size_t points = 20000;
   bool as_published = false;

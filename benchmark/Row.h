@@ -20,7 +20,13 @@ struct Row : Measurements
   std::string variant; ///< of the cloud
   std::string method;
   std::size_t points = 0;
-  double thinnest = not_measured; ///< radius of a limb, in distances between points
+  double thinnest = not_measured;    ///< radius of a limb, in distances between points
+  std::string size;                  ///< number of points that a scan should have
+  std::string places;                ///< of the scanner
+  std::size_t seen_ends = 0;         ///< true ends that have points near them
+  double found = not_measured;       ///< share of the true skeleton that has points near it
+  double true_share = not_measured;  ///< of our skeleton
+  double unsupported = not_measured; ///< share of our skeleton in empty space
   double axis_mean = not_measured, axis_maximum = not_measured; ///< local radii
   double seconds = not_measured;
   std::string status = "ok"; ///< or what went wrong

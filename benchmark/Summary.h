@@ -133,7 +133,7 @@ inline void write_misses(std::ostream& out, const std::vector<Row>& rows)
   for(const Row& row : rows) {
     if(row.exact().value_or(true))
       continue;
-    for(const std::string& part : {row.shape, row.seed, row.variant})
+    for(const std::string& part : {row.shape, row.seed, row.size, row.places, row.variant})
       out << part << (part.empty() ? "" : " ");
     out << row.method << (row.status == "ok" ? "" : ", " + row.status)
         << difference("components", row.got.components, row.truth.components)

@@ -4,6 +4,7 @@
 #include "generated.h"
 
 #include "Report.h"
+#include "chosen.h"
 #include "axis_distance.h"
 #include "inside_share.h"
 #include "measure.h"
@@ -12,10 +13,8 @@
 #include "generator/clouds.h"
 #include "generator/families.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -64,33 +63,6 @@ std::vector<Row> rows_of(const shapes::Known_shape& shape,
   return rows;
 }
 
-/// \throw std::runtime_error if a name is not known
-std::vector<std::string> chosen_families(const Quality_options& options)
-{
-  const std::vector<std::string>& all = shapes::family_names();
-  for(const std::string& name : options.families)
-    if(std::find(all.begin(), all.end(), name) == all.end())
-      throw std::runtime_error("there is no family '" + name + "'");
-  return options.families.empty() ? all : options.families;
-}
-
-/// \throw std::runtime_error if a name is not known
-std::vector<shapes::Variant> chosen_variants(const Quality_options& options)
-{
-  if(options.variants.empty())
-    return shapes::all_variants();
-  std::vector<shapes::Variant> variants;
-  for(const std::string& name : options.variants) {
-    const auto found =
-        std::find_if(shapes::all_variants().begin(), shapes::all_variants().end(),
-                     [&name](shapes::Variant v) { return shapes::to_string(v) == name; });
-    if(found == shapes::all_variants().end())
-      throw std::runtime_error("there is no variant '" + name + "'");
-    variants.push_back(*found);
-  }
-  return variants;
-}
-
 Layout layout()
 {
   using namespace columns;
@@ -129,8 +101,11 @@ Layout layout()
 
 void generated::run(const Quality_options& options)
 {
-  const std::vector<std::string> families = chosen_families(options);
-  const std::vector<shapes::Variant> variants = chosen_variants(options);
+  const std::vector<std::string> families =
+      chosen(options.families, shapes::family_names(), "family");
+  const auto name_of = [](shapes::Variant variant) { return shapes::to_string(variant); };
+  const std::vector<shapes::Variant> variants =
+      chosen(options.variants, shapes::all_variants(), name_of, "variant");
   const auto work = [&](std::size_t job) {
     const auto seed = static_cast<unsigned int>(job % options.seeds) + options.first_seed;
     return rows_of(shapes::known_shape(families[job / options.seeds], seed), variants, options);

@@ -32,7 +32,7 @@ void write_miss(const std::string& folder, const Row& row, const Skeleton& skele
     return;
   std::filesystem::create_directories(folder);
   std::string name = folder + '/' + row.shape;
-  for(const std::string& part : {row.seed, row.variant})
+  for(const std::string& part : {row.seed, row.size, row.places, row.variant})
     name += part.empty() ? "" : '_' + part;
   std::ofstream cloud(name + ".xyz");
   cloud.precision(9);

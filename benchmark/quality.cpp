@@ -9,6 +9,7 @@
 #include "detail.h"
 #include "generated.h"
 #include "meshes.h"
+#include "scans.h"
 #include "sweep.h"
 
 #include <CLI/CLI.hpp>
@@ -106,6 +107,23 @@ CLI::App* add_clouds(CLI::App& app, Quality_options& options)
   return command;
 }
 
+CLI::App* add_scans(CLI::App& app, Quality_options& options)
+{
+  CLI::App* command = app.add_subcommand("scans", "scans whose skeleton is known");
+  command->add_option("FILES", options.files, "CLOUD:REFERENCE.obj, instead of simulated scans");
+  command->add_option("--families", options.families, "some only, a,b")->delimiter(',');
+  command->add_option("--variants", options.variants, "some only, a,b")->delimiter(',');
+  command->add_option("--points", options.sizes, "about, of a cloud [5000,20000,80000]")
+      ->delimiter(',')
+      ->check(CLI::Range(100, 100000000));
+  command->add_option("--places", options.places, "of the scanner [1,3,6]")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 6));
+  add_seed_options(*command, options, 1);
+  add_common_options(*command, options);
+  return command;
+}
+
 CLI::App* add_sweep(CLI::App& app, Quality_options& options)
 {
   CLI::App* command =
@@ -128,6 +146,7 @@ int run(int argc, char** argv)
   const CLI::App* detail = add_detail(app, options);
   const CLI::App* meshes = add_meshes(app, options);
   const CLI::App* clouds = add_clouds(app, options);
+  const CLI::App* scans = add_scans(app, options);
   const CLI::App* sweep = add_sweep(app, options);
   try {
     app.parse(argc, argv);
@@ -144,6 +163,8 @@ int run(int argc, char** argv)
     meshes::run(options);
   if(clouds->parsed())
     clouds::run(options);
+  if(scans->parsed())
+    scans::run(options);
   if(sweep->parsed())
     sweep::run(options);
   return EXIT_SUCCESS;

@@ -30,7 +30,7 @@ has() { # has COLUMN ROW VALUE
   check "row $2: $1 is $3, not $(field "$1" "$2")" test "$(field "$1" "$2")" = "$3"
 }
 
-for command in generated detail meshes clouds; do
+for command in generated detail meshes clouds scans; do
   accepts "$command" --help
   for option in $(grep -o -- '--[a-z-]*' out); do
     [ "$option" = --help ] ||
@@ -47,6 +47,9 @@ refuses --levels detail --points 1000
 refuses nonsense generated --families nonsense
 refuses nonsense generated --variants nonsense
 refuses cannot generated --csv nowhere/table.csv
+refuses nonsense scans --variants nonsense
+refuses nonsense scans --families nonsense
+refuses --places scans --places 7
 refuses COMPONENTS clouds cloud.xyz:many
 
 accepts generated --families ring --seeds 2 --variants clean,noise_half_percent --points 1000 \
@@ -112,6 +115,42 @@ for row in 1 3 5; do
 done
 measured() { sed -n "$(($1 + 1))p" table.csv | cut -d, -f3-16; } # of a row, without the seconds
 check "the cloud is turned" test "$(measured 1)" != "$(measured 3)"
+
+accepts scans --families wire_frame --points 1500 --places 3 --variants clean,drop_outs \
+  --csv table.csv
+check "a head and two rows for every cloud" test "$(wc -l < table.csv)" = 5
+has variant 1 clean
+has variant 3 drop_outs
+has method 1 default
+has method 2 tree
+at_least() { # at_least COLUMN ROW VALUE
+  check "row $2: $1 is $(field "$1" "$2"), at least $3" \
+    awk -v got="$(field "$1" "$2")" -v least="$3" 'BEGIN { exit !(got >= least) }'
+}
+for row in 2 4; do
+  has comp $row 1
+  has cycles $row 0
+  has exact $row NO # there are loops
+  at_least cycles_true $row 1
+  at_least found $row 0.9
+done
+
+awk 'BEGIN { for(i = 0; i < 600; ++i)
+  printf "%g %g %g\n", cos(i * 2.4) / 100 , sin(i * 2.4) / 100, i / 600 }' > rod.xyz
+printf 'v 0 0 0\nv 0 0 0.5\nv 0 0 1\nv 1 0 1\nl 1 2 3 4\n' > bent.obj # as long beside the rod
+printf 'v 0 0 0\nl 1 2\n' > broken.obj
+accepts scans rod.xyz:bent.obj rod.xyz:broken.obj rod.xyz nowhere.xyz:bent.obj --csv table.csv
+for row in 1 2; do
+  has exact $row yes
+  has cycles_true $row 0
+  has ends_true $row 1 # of the other there are no points
+  has true $row 1.000
+  has unsupported $row 0.000
+  at_least found $row 0.95
+done
+check "what is wrong with a reference" test "$(field status 3)" != ok
+check "that there is none" test "$(field status 4)" != ok
+check "what is wrong with a cloud" test "$(field status 5)" != ok
 
 accepts clouds cloud.xyz cloud.xyz:5 --as-published --csv table.csv --misses misses
 has points 1 600

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "measure_scan.h"
+
+#include "Point_tree.h"
+#include "methods/average_spacing.h"
+#include "share_within.h"
+#include "unsupported_share.h"
+
+#include <CGAL/bounding_box.h>
+
+#include <cmath>
+
+void measure_scan(Row& row, const Skeleton& skeleton, const Skeleton& reference,
+                  const std::vector<Point>& points)
+{
+  constexpr double tolerance = 0.015; // diagonals
+  constexpr double samples = 3;       // in the tolerance
+  constexpr double support = 3;       // spacings
+  const auto box = CGAL::bounding_box(points.begin(), points.end());
+  const double near = tolerance * std::sqrt(CGAL::squared_distance(box.min(), box.max()));
+  const metrics::Point_tree tree(points);
+  const auto is_seen = [&](const metrics::Point& p) { return tree.distance(p) <= near; };
+  const auto always = [](const metrics::Point&) { return true; };
+  const Graph_counts truth = count_graph(reference);
+  row.truth.components = truth.components;
+  row.truth.cycles = truth.cycles;
+  row.seen_ends = 0;
+  for(const auto v : boost::make_iterator_range(vertices(reference)))
+    if(out_degree(v, reference) == 1 && is_seen(metrics::to_point(reference[v].point)))
+      ++row.seen_ends;
+  const double step = near / samples;
+  row.found = metrics::share_within(near, reference, skeleton, is_seen, step);
+  row.true_share = metrics::share_within(near, skeleton, reference, always, step);
+  row.unsupported = metrics::unsupported_share(skeleton, tree, support * average_spacing(points));
+}

@@ -1,0 +1,17 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef POINT_SET_SKELETONIZATION_3_BENCHMARK_MEASURE_SCAN_H
+#define POINT_SET_SKELETONIZATION_3_BENCHMARK_MEASURE_SCAN_H
+
+#include "Row.h"
+#include "methods/Method.h"
+
+#include <vector>
+
+/// Fills in how much of the true skeleton of a scan was found, and how much of what was found is
+/// true.
+void measure_scan(Row& row, const Skeleton& skeleton, const Skeleton& reference,
+                  const std::vector<Point>& points);
+
+#endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_MEASURE_SCAN_H

@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "scans.h"
+
+#include "Report.h"
+#include "chosen.h"
+#include "measure.h"
+#include "measure_scan.h"
+#include "read_points.h"
+#include "reference.h"
+#include "to_points.h"
+
+#include "generator/scanned_families.h"
+#include "generator/scanner.h"
+
+#include <cstddef>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+/// What a scanner does to the points. The noise is that of a cheap scanner, 2 mm on a plant of 2 m;
+/// nearly a third of the pulses is lost on dark or wet surfaces.
+struct Variant
+{
+  std::string name;
+  double range_noise, mixed, lost;
+};
+
+const std::vector<Variant> all_variants = {
+    {"clean", 0, 0, 0}, {"range_noise", 0.001, 0.5, 0}, {"drop_outs", 0, 0, 0.3}};
+
+/// A cloud to come.
+struct Job
+{
+  std::string family;
+  unsigned int seed;
+  std::size_t size;
+  int places;
+  Variant variant;
+};
+
+/// Rows of a cloud, by every method. \param row what is known about the cloud
+std::vector<Row> rows_of(Row row, const Skeleton& reference, const std::vector<Point>& points,
+                         const Quality_options& options)
+{
+  std::vector<Outcome> outcomes = skeletonize(points, options.as_published);
+  outcomes.push_back(baseline(points));
+  std::vector<Row> rows;
+  for(const Outcome& outcome : outcomes) {
+    measure(row, outcome, points);
+    measure_scan(row, outcome.skeleton, reference, points);
+    write_miss(options.misses, row, outcome.skeleton, points);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+std::vector<Row> rows_of(const Job& job, const Quality_options& options)
+{
+  const shapes::Known_shape shape = shapes::scanned_shape(job.family, job.seed);
+  const shapes::Scan_options how = {job.size, job.places, job.variant.range_noise,
+                                    job.variant.mixed, job.variant.lost};
+  Row row;
+  row.shape = job.family;
+  row.seed = std::to_string(job.seed);
+  row.variant = job.variant.name;
+  row.size = std::to_string(job.size);
+  row.places = std::to_string(job.places);
+  return rows_of(row, reference_of(shape), to_points(shapes::scan(shape, how, job.seed).points),
+                 options);
+}
+
+/// \param argument `CLOUD:REFERENCE.obj`
+std::vector<Row> rows_of(const std::string& argument, const Quality_options& options)
+{
+  const std::size_t colon = argument.rfind(':');
+  const std::string cloud = argument.substr(0, colon);
+  try {
+    if(colon == std::string::npos)
+      throw std::runtime_error("there is no reference behind a colon");
+    Row row;
+    row.shape = name_of(cloud);
+    const Skeleton reference = read_reference(argument.substr(colon + 1));
+    return rows_of(row, reference, read_points<Point>(cloud), options);
+  } catch(const std::exception& error) {
+    return {failed_row(cloud, error)};
+  }
+}
+
+std::vector<Job> chosen_jobs(const Quality_options& options)
+{
+  const auto& all = shapes::scanned_family_names();
+  const auto name_of = [](const Variant& variant) { return variant.name; };
+  std::vector<Job> jobs;
+  for(const std::string& family : chosen(options.families, all, "family"))
+    for(unsigned int i = 0; i < options.seeds; ++i)
+      for(const std::size_t size : options.sizes)
+        for(const int places : options.places)
+          for(const Variant& variant : chosen(options.variants, all_variants, name_of, "variant"))
+            jobs.push_back({family, options.first_seed + i, size, places, variant});
+  return jobs;
+}
+
+Layout layout()
+{
+  using namespace columns;
+  const auto seen_ends = [](const Row& row) { return std::to_string(row.seen_ends); };
+  return {{text("cloud", 20, &Row::shape),
+           text("seed", 4, &Row::seed),
+           text("places", 6, &Row::places),
+           text("variant", 11, &Row::variant),
+           points(),
+           text("method", 9, &Row::method),
+           exact(),
+           count("comp", &Graph_counts::components),
+           count("cycles", &Graph_counts::cycles),
+           truth("cycles_true", &Truth::cycles),
+           number("found", &Row::found, 3),
+           number("true", &Row::true_share, 3),
+           count("ends", &Graph_counts::ends),
+           {"ends_true", 4, seen_ends},
+           number("unsupported", &Row::unsupported, 3),
+           number("seconds", &Row::seconds, 2),
+           text("status", 2, &Row::status)},
+          {group_name(), group_method(), group_size(), share("exact%", &Row::exact),
+           share("comp%", &Row::components_exact), share("cycles%", &Row::cycles_exact),
+           mean("found", &Row::found, 3), mean("true", &Row::true_share, 3),
+           mean("unsupported", &Row::unsupported, 3), mean("seconds", &Row::seconds, 2)},
+          {[](const Row& row) { return row.shape; }, [](const Row& row) { return row.size; },
+           [](const Row& row) { return row.places; }, [](const Row& row) { return row.variant; }}};
+}
+
+} // namespace
+
+void scans::run(const Quality_options& options)
+{
+  if(!options.files.empty()) {
+    const auto work = [&](std::size_t job) { return rows_of(options.files[job], options); };
+    Layout of_files = layout();
+    of_files.keys.clear(); // they are about simulated scans
+    report(options, options.files.size(), work, of_files);
+    return;
+  }
+  const std::vector<Job> jobs = chosen_jobs(options);
+  const auto work = [&](std::size_t job) { return rows_of(jobs[job], options); };
+  report(options, jobs.size(), work, layout());
+}
