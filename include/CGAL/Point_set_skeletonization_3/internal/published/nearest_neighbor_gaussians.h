@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -68,12 +67,7 @@ struct Distinct_positions
 {
   explicit Distinct_positions(const std::vector<Vector3>& points) : index_of(points.size())
   {
-    std::vector<std::size_t> order(points.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return lexicographically_less(points[a], points[b]);
-    });
-    for(std::size_t i : order) {
+    for(std::size_t i : lexicographic_order(points)) {
       if(positions.empty() || positions.back() != points[i])
         positions.push_back(points[i]);
       index_of[i] = positions.size() - 1;

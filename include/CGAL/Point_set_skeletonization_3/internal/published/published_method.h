@@ -12,6 +12,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/published/Point_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/branch_detection.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/branch_merging.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/densities.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/hierarchical_em.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/nearest_neighbor_gaussians.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/published_projection.h>
@@ -61,9 +62,8 @@ inline std::vector<Gaussians> published_mixture(const std::vector<Vector3>& poin
   if(points.empty())
     return {};
   Gaussians start = nearest_neighbor_gaussians(points, options.nearest_neighbors, concurrency);
-  const double h = initial_kernel_radius(points.size());
   const std::vector<double> density =
-    densities(points, [&](std::size_t) { return h; }, concurrency);
+    densities(points, initial_kernel_radius(points.size()), concurrency);
   for(std::size_t i = 0; i < start.size(); ++i)
     start[i].weight /= density[i]; // Eq. 7: alpha_j / v_j
   progress(0.5);
