@@ -51,6 +51,9 @@ void add_options(CLI::App& app, Comparison_options& options)
       ->type_name("SECONDS")
       ->check(CLI::PositiveNumber);
   app.add_option("--seed", options.seed, "of the points and the noise [0]")->type_name("N");
+  app.add_option("--seeds", options.seeds, "clouds of every input, with this and the next seeds [1]")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000));
   app.add_flag("--decimate", options.decimate, "methods on meshes also on decimated ones");
   app.add_option("--output", options.output, "for results.csv and report.html")
       ->type_name("FOLDER")

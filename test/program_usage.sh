@@ -56,10 +56,10 @@ refuses --as-published cloud.xyz --halt
 # The defaults by their symbols are the defaults.
 accepts cloud.xyz --quiet --as-published --delta-h 0.5 --iterations 30 --mu 0.2 --samples 500 \
   --alpha 2.2 --levels 3 --flatness 0.3 --sample-flatness 0.3 --alpha-min 90 --b-min 5 \
-  --d-max 0.1 -o symbols.ply
+  --d-max 0.15 -o symbols.ply
 check "the defaults by their symbols" cmp published.ply symbols.ply
 accepts cloud.xyz --quiet --as-published --tuned -o tuned.ply
-accepts cloud.xyz --quiet --as-published --tuned --delta-h 0.25 --iterations 60 \
+accepts cloud.xyz --quiet --as-published --tuned --delta-h 0.333333333333333333 --iterations 60 \
   --sample-flatness 0.05 --alpha-min 120 -o symbols.ply
 check "the tuned set by its symbols" cmp tuned.ply symbols.ply
 check "it is another" sh -c '! cmp -s published.ply tuned.ply'

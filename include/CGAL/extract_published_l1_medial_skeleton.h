@@ -44,7 +44,7 @@ namespace CGAL {
 ///       \cgalParamDefault{2 over the cube root of the number of points} \cgalParamNEnd
 ///     \cgalParamNBegin{delta_h} \cgalParamDescription{\f$\Delta h\f$, the growth of a kernel per
 ///       iteration where its surroundings are isotropic; in units of h_0, >= 0}
-///       \cgalParamType{`double`} \cgalParamDefault{0.5, tuned 0.25} \cgalParamNEnd
+///       \cgalParamType{`double`} \cgalParamDefault{0.5, tuned 1/3} \cgalParamNEnd
 ///     \cgalParamNBegin{mu} \cgalParamDescription{\f$\mu\f$, the weight of the repulsion; in [0,
 ///       0.5)} \cgalParamType{`double`} \cgalParamDefault{0.2} \cgalParamNEnd
 ///     \cgalParamNBegin{halt} \cgalParamDescription{whether the projection halts when half of the
@@ -71,7 +71,7 @@ namespace CGAL {
 ///       \cgalParamNEnd
 ///     \cgalParamNBegin{d_max} \cgalParamDescription{\f$d_{max}\f$, the greatest distance of
 ///       adjacent components of a branch; in diagonals of the bounding box, > 0}
-///       \cgalParamType{`double`} \cgalParamDefault{0.1} \cgalParamNEnd
+///       \cgalParamType{`double`} \cgalParamDefault{0.15} \cgalParamNEnd
 ///   \cgalNamedParamsEnd
 ///
 /// \pre all parameters are in their ranges

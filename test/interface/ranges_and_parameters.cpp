@@ -216,7 +216,7 @@ TEST_CASE("The parameters of the published method chain as well, and each change
   const auto explicitly =
     mu(0.2, delta_h(0.5, alpha(2.2, levels(3, flatness(0.3, sample_flatness(0.3, seed))))));
   CHECK(have_same_bits(by_default, published(explicitly)));
-  CHECK(have_same_bits(by_default, published(alpha_min(90, b_min(5, d_max(0.1, seed))))));
+  CHECK(have_same_bits(by_default, published(alpha_min(90, b_min(5, d_max(0.15, seed))))));
   CHECK(have_same_bits(by_default, published(mu(std::nullopt, tuned(false, halt(false))))));
   CHECK(have_same_bits(by_default,
                        published(samples(500, h_0(2 / std::cbrt(double(cloud().size())))))));
@@ -239,7 +239,7 @@ TEST_CASE("The parameters of the published method chain as well, and each change
   CHECK(have_same_bits(
     published(tuned(true)),
     published(delta_h(
-      0.25, sample_flatness(0.05, alpha_min(120, parameters::number_of_iterations(60)))))));
+      1.0 / 3, sample_flatness(0.05, alpha_min(120, parameters::number_of_iterations(60)))))));
 }
 
 TEST_CASE("The merging links of the published method are marked, where a graph has a place for it")

@@ -138,8 +138,9 @@ struct Branch_detection_options
   /// Greatest distance of adjacent components of a branch, > 0, in diagonals of the bounding box: the
   /// "maximum Euclidean distance between components". Where the closest free components are further
   /// apart, detection ends; a branch does not grow further than that. The paper's 0.1 % of the
-  /// diagonal is below the spacing of any mixture of usual size, so that no branch would start.
-  double d_max = 0.1;
+  /// diagonal is below the spacing of any mixture of usual size, so that no branch would start. Less
+  /// than 0.1 loses limbs; more than 0.15 finds hardly any further, and branches jump between limbs.
+  double d_max = 0.15;
 
   void check() const
   {
@@ -164,7 +165,7 @@ struct Published_options
   {
     Published_options result;
     result.projection.iterations = 60;
-    result.projection.kernel_growth = 0.25;
+    result.projection.kernel_growth = 1.0 / 3;
     result.samples.flatness = 0.05;
     result.branches.alpha_min = 120;
     return result;
