@@ -5,10 +5,9 @@
 
 #include "comparison/compare.h"
 #include "comparison/compared_columns.h"
+#include "comparison/generated_model.h"
 #include "comparison/lost_figures.h"
 #include "report/html_report.h"
-
-#include "generator/families.h"
 
 #include <CLI/CLI.hpp>
 
@@ -27,7 +26,7 @@ namespace {
 std::string list_of_names()
 {
   std::string list = "Families:";
-  for(const std::string& family : shapes::family_names())
+  for(const std::string& family : generated_names())
     list += ' ' + family;
   list += "\nMethods:";
   for(const Registered_method& method : registered_methods())

@@ -87,6 +87,10 @@ done
 check "how this package stands among methods that take raw points" \
   grep -q "^l1_medial is first or within 5 % of the first in [0-9]* of 9 figures" out
 
+accepts filigree:1 --output out1 --points 20000 --methods l1_medial
+has filigree:1 0.0000 l1_medial points cycles_true 15
+has filigree:1 0.0000 l1_medial points ends_true 0
+
 accepts torus.off --output out1 --points 1000 --seed 5 --seeds 2 --methods l1_medial,lapcon10
 check "a row for every method and seed" test "$(wc -l < out1/results.csv)" = 5
 for seed in 5 6; do
