@@ -5,10 +5,9 @@
 
 #include "comparison/compare.h"
 #include "comparison/compared_columns.h"
+#include "comparison/generated_model.h"
 #include "comparison/lost_figures.h"
 #include "report/html_report.h"
-
-#include "generator/families.h"
 
 #include <CLI/CLI.hpp>
 
@@ -27,7 +26,7 @@ namespace {
 std::string list_of_names()
 {
   std::string list = "Families:";
-  for(const std::string& family : shapes::family_names())
+  for(const std::string& family : generated_names())
     list += ' ' + family;
   list += "\nMethods:";
   for(const Registered_method& method : registered_methods())
@@ -51,6 +50,9 @@ void add_options(CLI::App& app, Comparison_options& options)
       ->type_name("SECONDS")
       ->check(CLI::PositiveNumber);
   app.add_option("--seed", options.seed, "of the points and the noise [0]")->type_name("N");
+  app.add_option("--seeds", options.seeds, "clouds of every input, with this and the next seeds [1]")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000));
   app.add_flag("--decimate", options.decimate, "methods on meshes also on decimated ones");
   app.add_option("--output", options.output, "for results.csv and report.html")
       ->type_name("FOLDER")

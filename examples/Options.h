@@ -13,11 +13,21 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
+
+/// The parameters of the published method, by the symbols of the paper; what is not given keeps its
+/// default.
+struct Published_symbols
+{
+  bool tuned = false, halt = false;
+  std::optional<double> h_0, delta_h, mu, alpha, flatness, sample_flatness, alpha_min, d_max;
+  std::optional<std::size_t> iterations, samples, levels, b_min;
+};
 
 /// The command line of `skeletonize_point_set`.
 struct Options
@@ -26,6 +36,7 @@ struct Options
   std::vector<std::string> outputs;
   std::string points;
   bool as_published = false;
+  Published_symbols published;
   bool single_component = false;
   bool stream = false;
   std::vector<double> box; ///< smallest x, y, z, then largest; empty: read the file twice
@@ -87,6 +98,40 @@ inline void check_box(const std::vector<double>& box)
       throw std::runtime_error("--box: give the smallest x, y and z, then the largest");
 }
 
+/// All parameters of the published method. The ranges are those of the named parameters.
+inline void add_published_options(CLI::App& app, Published_symbols& symbols)
+{
+  CLI::Option* published = app.get_option("--as-published");
+  const auto add_flag = [&](const std::string& name, bool& value, const std::string& text) {
+    app.add_flag(name, value, text)->needs(published)->group("With --as-published");
+  };
+  const auto add = [&](const std::string& name, auto& value, auto least, auto greatest,
+                       const std::string& text) {
+    app.add_option(name, value, text)
+        ->type_name("X")
+        ->check(CLI::Range(least, greatest))
+        ->needs(published)
+        ->group("With --as-published");
+  };
+  constexpr double any = 1e6, tiny = 1e-6;
+  constexpr std::size_t many = 1000000;
+  const auto none = std::size_t(0), one = std::size_t(1);
+  add_flag("--tuned", symbols.tuned, "other defaults than the paper's, given second here");
+  add("--h0", symbols.h_0, 1e-4, 1e4, "first kernel radius, in diagonals [2 / cbrt(points)]");
+  add("--delta-h", symbols.delta_h, 0.0, any, "growth per iteration, in h0 [1/2, 1/3]");
+  add("--iterations", symbols.iterations, none, many, "of the projection [30, 60]");
+  add_flag("--halt", symbols.halt, "halt when settled; iterations are a bound [60, 120]");
+  add("--mu", symbols.mu, 0.0, 0.4999, "weight of the repulsion [0.2]");
+  add("--samples", symbols.samples, one, many * 1000, "samples to project [points / 20, >= 500]");
+  add("--alpha", symbols.alpha, tiny, any, "reach of a parent of the EM, in deviations [2.2]");
+  add("--levels", symbols.levels, none, std::size_t(100), "levels of the EM [3]");
+  add("--flatness", symbols.flatness, tiny, any, "regularisation of points' Gaussians [0.3]");
+  add("--sample-flatness", symbols.sample_flatness, tiny, any, "of samples' [0.3, 0.05]");
+  add("--alpha-min", symbols.alpha_min, 0.0, 179.99, "least angle of a branch, degrees [90, 120]");
+  add("--b-min", symbols.b_min, std::size_t(2), many, "least components of a branch [5]");
+  add("--d-max", symbols.d_max, tiny, any, "longest edge of a branch, in diagonals [0.15]");
+}
+
 /// For clouds larger than memory: what needs all points at a time is out of question.
 inline void add_stream_options(CLI::App& app, Options& options)
 {
@@ -118,6 +163,7 @@ inline Parsed parse_options(int argc, char** argv)
   app.add_flag("--single-component", options.single_component,
                "join all parts, for a shape known to be in one piece");
   app.add_flag("--as-published", options.as_published, "the published method, for comparison");
+  add_published_options(app, options.published);
   app.add_option("--sample", options.sample, "draw N points from the surface of a mesh instead")
       ->type_name("N")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));

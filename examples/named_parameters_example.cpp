@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Named parameters: a single component, and those of the published method, a seed and a number of
-// iterations.
+// Named parameters: a single component, and those of the published method.
 
 #include "read_points.h"
 
 #include <CGAL/Curve_skeleton_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Point_set_skeletonization_3/parameters.h>
+#include <CGAL/Point_set_skeletonization_3/published_parameters.h>
 #include <CGAL/extract_l1_medial_skeleton.h>
 #include <CGAL/extract_published_l1_medial_skeleton.h>
 
@@ -40,4 +40,12 @@ int main(int argc, char** argv)
       points, published,
       params::callback(report).random_seed(42).number_of_iterations(20));
   std::cout << num_vertices(published) << " vertices as published\n";
+
+  // All parameters of the paper have a name; some sets of them, too.
+  namespace symbols = params::published;
+  CGAL::extract_published_l1_medial_skeleton(
+      points, published, symbols::mu(0.3, symbols::d_max(0.05, params::random_seed(42))));
+  std::cout << num_vertices(published) << " vertices with other parameters\n";
+  CGAL::extract_published_l1_medial_skeleton(points, published, symbols::tuned(true));
+  std::cout << num_vertices(published) << " vertices tuned\n";
 }

@@ -16,6 +16,7 @@
 #include <CGAL/L1_medial_skeletonization_3.h>
 #include <CGAL/Point_set_skeletonization_3/internal/io/Output_file.h>
 #include <CGAL/Point_set_skeletonization_3/parameters.h>
+#include <CGAL/Point_set_skeletonization_3/published_parameters.h>
 #include <CGAL/Published_l1_medial_skeletonization_3.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Simple_cartesian.h>
@@ -97,12 +98,27 @@ Result run_steps(Skeletonization& steps)
   return result;
 }
 
+// The named parameters of the published method.
+auto published_parameters(const Options& options, Progress_bar& bar)
+{
+  using namespace CGAL::parameters::published;
+  const Published_symbols& s = options.published;
+  const auto common =
+      callback_of(bar).random_seed(options.seed).number_of_iterations(s.iterations);
+  const auto mixtures =
+      alpha(s.alpha, levels(s.levels, flatness(s.flatness, sample_flatness(s.sample_flatness,
+                                                                           common))));
+  const auto projection =
+      h_0(s.h_0, delta_h(s.delta_h, mu(s.mu, halt(s.halt, samples(s.samples, mixtures)))));
+  return tuned(s.tuned, alpha_min(s.alpha_min, b_min(s.b_min, d_max(s.d_max, projection))));
+}
+
 template <typename ConcurrencyTag>
 Result skeletonize_as_published(const std::vector<Point>& points, const Options& options,
                                 Progress_bar& bar)
 {
   CGAL::Published_l1_medial_skeletonization_3<Kernel, ConcurrencyTag> steps(
-      points, callback_of(bar).random_seed(options.seed));
+      points, published_parameters(options, bar));
   Result result = run_steps(steps);
   result.iterations = steps.number_of_iterations();
   return result;

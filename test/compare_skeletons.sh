@@ -35,8 +35,8 @@ for option in $(grep -o -- '--[a-z-]*' out); do
   [ "$option" = --help ] ||
     check "the README names $option" grep -q -- "$option" "$here/../benchmark/README.md"
 done
-for method in l1_medial l1_medial_published mcf wrap_mcf poisson_mcf l1_wlop rosa lapcon10 \
-    lapcon08_vc lapcon08_ec wave_fronts teasar tangent_ball; do
+for method in l1_medial l1_medial_published l1_medial_published_tuned mcf wrap_mcf poisson_mcf \
+    l1_wlop rosa lapcon10 lapcon08_vc lapcon08_ec wave_fronts teasar tangent_ball; do
   check "--help names $method" grep -q "^ *$method:" out
 done
 
@@ -46,6 +46,7 @@ refuses --nonsense torus.off --output out1 --nonsense
 refuses "no method 'nonsense'" torus.off --output out1 --methods l1_medial,nonsense
 refuses --noise torus.off --output out1 --noise -0.1
 refuses --noise torus.off --output out1 --noise much
+refuses --seeds torus.off --output out1 --seeds 0
 refuses --time-limit torus.off --output out1 --time-limit 0
 refuses torus.off torus.off --output torus.off
 
@@ -85,6 +86,18 @@ for noise in 0.0000 0.0100; do
 done
 check "how this package stands among methods that take raw points" \
   grep -q "^l1_medial is first or within 5 % of the first in [0-9]* of 9 figures" out
+
+accepts filigree:1 --output out1 --points 20000 --methods l1_medial
+has filigree:1 0.0000 l1_medial points cycles_true 15
+has filigree:1 0.0000 l1_medial points ends_true 0
+
+accepts torus.off --output out1 --points 1000 --seed 5 --seeds 2 --methods l1_medial,lapcon10
+check "a row for every method and seed" test "$(wc -l < out1/results.csv)" = 5
+for seed in 5 6; do
+  check "rows of seed $seed" test "$(cut -d, -f26 out1/results.csv | grep -c "^$seed$")" = 2
+done
+check "clouds of their own" \
+  test "$(grep -c . out1/results.csv)" = "$(cut -d, -f18,19,21 out1/results.csv | sort -u | wc -l)"
 
 accepts torus.off --output out1 --points 100000 --time-limit 0.05 --methods l1_medial
 has torus 0.0000 l1_medial points status time_limit

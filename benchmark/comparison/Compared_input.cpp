@@ -49,10 +49,11 @@ Method_input input_of(std::vector<Mesh> components)
 } // namespace
 
 Compared_input::Compared_input(const Model& model, const std::vector<Mesh>& fine_components,
-                               double noise, const Comparison_options& options)
+                               double noise, unsigned int seed,
+                               const Comparison_options& options)
     : cloud_(std::make_shared<std::vector<Point>>(
-          with_noise(model.points, noise * model.diagonal, options.seed + 1)))
-    , components_(with_noisy_vertices(fine_components, noise * model.diagonal, options.seed + 2))
+          with_noise(model.points, noise * model.diagonal, seed + 1)))
+    , components_(with_noisy_vertices(fine_components, noise * model.diagonal, seed + 2))
     , decimate_(options.decimate)
 {}
 

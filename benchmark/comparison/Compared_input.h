@@ -28,8 +28,9 @@ class Compared_input
 public:
   /// \param fine_components of the model, with as many vertices as there are points
   /// \param noise standard deviation, in diagonals
+  /// \param seed of the noise
   Compared_input(const Model& model, const std::vector<Mesh>& fine_components, double noise,
-                 const Comparison_options& options);
+                 unsigned int seed, const Comparison_options& options);
 
   std::shared_ptr<const std::vector<Point>> cloud() const { return cloud_; }
 

@@ -16,7 +16,8 @@ struct Comparison_options
   std::vector<double> noise = {0};  ///< standard deviations, in diagonals, ascending
   std::size_t points = 20000;       ///< drawn from a mesh
   double time_limit = 600;          ///< seconds, for a method on an input
-  unsigned int seed = 0;            ///< of the points and the noise
+  unsigned int seed = 0;            ///< of the points and the noise, the first one
+  unsigned int seeds = 1;           ///< number of clouds of an input, each with its seed
   bool decimate = false;            ///< methods on meshes also on decimated ones
   std::string output;               ///< folder
 };

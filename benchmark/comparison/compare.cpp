@@ -11,6 +11,7 @@
 #include "nearest_point_radii.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <exception>
 #include <map>
 #include <optional>
@@ -21,12 +22,13 @@ namespace {
 using Use = std::function<void(const Compared&)>;
 
 /// The rows of an input that cannot be read.
-void add_unreadable(const std::string& input, const std::string& message,
+void add_unreadable(const std::string& input, unsigned int seed, const std::string& message,
                     const std::vector<Registered_method>& methods,
                     const Comparison_options& options, const Use& use)
 {
   Compared row;
   row.input = is_generated(input) ? input : name_of(input);
+  row.seed = seed;
   row.status = "unreadable";
   row.message = message;
   for(const double noise : options.noise)
@@ -45,19 +47,21 @@ bool has_radii(const Skeleton& skeleton)
                      [&skeleton](auto v) { return skeleton[v].radius > 0; });
 }
 
-Model model_of(const std::string& input, const Comparison_options& options)
+Model model_of(const std::string& input, std::size_t points, unsigned int seed)
 {
-  return is_generated(input) ? generated_model(input, options.points, options.seed)
-                             : read_model(input, options.points, options.seed);
+  return is_generated(input) ? generated_model(input, points, seed)
+                             : read_model(input, points, seed);
 }
 
 class Model_comparison
 {
 public:
   /// \throw std::exception if it cannot be read, or its mesh not be remeshed
-  Model_comparison(const std::string& input, const std::vector<Registered_method>& methods,
+  Model_comparison(const std::string& input, unsigned int seed,
+                   const std::vector<Registered_method>& methods,
                    const Comparison_options& options)
-      : model_(model_of(input, options))
+      : seed_(seed)
+      , model_(model_of(input, options.points, seed))
       , methods_(methods)
       , options_(options)
   {
@@ -69,7 +73,7 @@ public:
   void run(const Use& use)
   {
     for(const double noise : options_.noise) {
-      const Compared_input input(model_, fine_components_, noise, options_);
+      const Compared_input input(model_, fine_components_, noise, seed_, options_);
       for(const Registered_method& method : methods_)
         for(const Task& task : input.tasks(method))
           use(row_of(task, noise, input));
@@ -83,6 +87,7 @@ private:
     Compared row;
     row.input = model_.name;
     row.noise = noise;
+    row.seed = seed_;
     row.method = task.method;
     row.input_kind = task.input_kind;
     row.status = run.status;
@@ -111,6 +116,7 @@ private:
       measure_stability(row.measured, row.skeleton, clean_[key], model_.diagonal);
   }
 
+  const unsigned int seed_;
   const Model model_;
   const std::vector<Registered_method>& methods_;
   const Comparison_options& options_;
@@ -123,12 +129,14 @@ private:
 void compare(const std::string& input, const std::vector<Registered_method>& methods,
              const Comparison_options& options, const Use& use)
 {
-  std::optional<Model_comparison> comparison;
-  try {
-    comparison.emplace(input, methods, options);
-  } catch(const std::exception& error) {
-    add_unreadable(input, error.what(), methods, options, use);
-    return;
+  for(unsigned int seed = options.seed; seed < options.seed + options.seeds; ++seed) {
+    std::optional<Model_comparison> comparison;
+    try {
+      comparison.emplace(input, seed, methods, options);
+    } catch(const std::exception& error) {
+      add_unreadable(input, seed, error.what(), methods, options, use);
+      continue;
+    }
+    comparison->run(use);
   }
-  comparison->run(use);
 }

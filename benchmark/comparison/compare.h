@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-/// Runs the methods on a file or a generated shape with all levels of noise, and hands over the
-/// rows as they come: one at least for every method and level, whatever happens.
+/// Runs the methods on a file or a generated shape with all seeds and levels of noise, and hands
+/// over the rows as they come: one at least for every method, seed and level, whatever happens.
 void compare(const std::string& input, const std::vector<Registered_method>& methods,
              const Comparison_options& options, const std::function<void(const Compared&)>& use);
 

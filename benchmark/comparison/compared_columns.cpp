@@ -56,6 +56,11 @@ Column spurs()
   return measured("spurs", [](const Measurements& m) { return std::to_string(m.spurs); });
 }
 
+Column seed()
+{
+  return {"seed", 4, [](const Compared& row) { return std::to_string(row.seed); }};
+}
+
 /// The same for all rows.
 Column constant(const std::string& name, const std::string& value)
 {
@@ -93,7 +98,8 @@ std::vector<Column> screen_columns()
 {
   return {text("input", 12, &Compared::input),
           number("noise", &Compared::noise, 3),
-          text("method", 19, &Compared::method),
+          seed(),
+          text("method", 25, &Compared::method),
           text("kind", 14, &Compared::input_kind),
           text("status", 10, &Compared::status),
           count("comp", &Graph_counts::components),
@@ -139,5 +145,5 @@ std::vector<Column> file_columns(const Comparison_options& options)
           measured("moved_max", &Measurements::moved_maximum, 5),
           constant("parameters", parameters(options)),
           constant("compiler", BOOST_COMPILER "; CGAL " CGAL_VERSION_STR),
-          constant("seed", std::to_string(options.seed))};
+          seed()};
 }

@@ -5,6 +5,7 @@
 
 #include "../Closed_mesh.h"
 #include "../methods/components_of.h"
+#include "filigree.h"
 
 #include "generator/clouds.h"
 #include "generator/families.h"
@@ -49,9 +50,16 @@ Point on_surface(const shapes::Solid& solid, const Point& point)
 
 } // namespace
 
+std::vector<std::string> generated_names()
+{
+  std::vector<std::string> names = shapes::family_names();
+  names.push_back("filigree");
+  return names;
+}
+
 bool is_generated(const std::string& input)
 {
-  const std::vector<std::string>& families = shapes::family_names();
+  const std::vector<std::string> families = generated_names();
   return input.find(':') != std::string::npos &&
          std::find(families.begin(), families.end(), input.substr(0, input.find(':'))) !=
              families.end();
@@ -63,7 +71,9 @@ Model generated_model(const std::string& input, std::size_t number_of_points, un
   unsigned int shape_seed = 0;
   if(!boost::conversion::try_lexical_convert(input.substr(colon + 1), shape_seed))
     throw std::runtime_error("no seed after the colon");
-  const shapes::Known_shape shape = shapes::known_shape(input.substr(0, colon), shape_seed);
+  const std::string family = input.substr(0, colon);
+  const shapes::Known_shape shape =
+      family == "filigree" ? filigree(shape_seed) : shapes::known_shape(family, shape_seed);
   Model model;
   model.name = input;
   model.diagonal = shape.solid.bounding_box().diagonal().norm();

@@ -8,8 +8,12 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
-/// Whether an input is a shape of test/generator, FAMILY:SEED, and not a file.
+/// The families of test/generator, and the filigree.
+std::vector<std::string> generated_names();
+
+/// Whether an input is a generated shape, FAMILY:SEED, and not a file.
 bool is_generated(const std::string& input);
 
 /// A generated shape: points drawn from it, a closed mesh of it, and what is true about it. The

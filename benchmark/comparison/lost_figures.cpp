@@ -10,7 +10,8 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <utility>
+#include <string>
+#include <tuple>
 
 namespace {
 
@@ -86,20 +87,21 @@ void compare(const Figure& figure, const Rows& rows, Standing& standing)
   ++standing.compared;
   if(!is_close(figure, our_value, best_value))
     standing.lost.push_back(
-        {best->input, best->noise, figure.name, our_value, best_value, best->method});
+        {best->input, best->noise, best->seed, figure.name, our_value, best_value, best->method});
 }
 
 } // namespace
 
 Standing standing_of(const std::vector<Compared>& rows)
 {
-  std::map<std::pair<std::string, double>, Rows> groups;
-  std::vector<std::pair<std::string, double>> order;
+  using Cloud = std::tuple<std::string, double, unsigned int>; // input, noise, seed
+  std::map<Cloud, Rows> groups;
+  std::vector<Cloud> order;
   for(const Compared& row : rows)
     if(takes_raw_points(row)) {
-      Rows& group = groups[{row.input, row.noise}];
+      Rows& group = groups[{row.input, row.noise, row.seed}];
       if(group.empty())
-        order.emplace_back(row.input, row.noise);
+        order.emplace_back(row.input, row.noise, row.seed);
       group.push_back(&row);
     }
   Standing standing;
@@ -121,6 +123,7 @@ void print_standing(std::ostream& out, const Standing& standing)
   Table<Lost_figure> table(
       out, {{"input", 20, [](const Lost_figure& lost) { return lost.input; }},
             {"noise", 5, [](const Lost_figure& lost) { return fixed(lost.noise, 3); }},
+            {"seed", 4, [](const Lost_figure& lost) { return std::to_string(lost.seed); }},
             {"figure", 10, [](const Lost_figure& lost) { return lost.figure; }},
             {"ours", 8, [](const Lost_figure& lost) { return fixed(lost.ours, 4); }},
             {"first", 8, [](const Lost_figure& lost) { return fixed(lost.best, 4); }},

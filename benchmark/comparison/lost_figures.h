@@ -17,6 +17,7 @@ struct Lost_figure
 {
   std::string input;
   double noise;
+  unsigned int seed;
   std::string figure; ///< cycles, ends, off_centre, explained or moved
   double ours;        ///< not a number if there is no skeleton, or it cannot be measured
   double best;

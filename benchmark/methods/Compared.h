@@ -18,6 +18,7 @@ struct Compared
 {
   std::string input;      ///< name of the file, without folder and extension
   double noise = 0;       ///< standard deviation, in diagonals of the bounding box
+  unsigned int seed = 0;  ///< of the points and the noise
   std::string method;     ///< as in the registry
   std::string input_kind; ///< points, points+normals, mesh, wrapped mesh or decimated mesh
   std::string status;     ///< ok, failed, time_limit, invalid or unreadable

@@ -11,3 +11,9 @@ Method_result l1_medial_published(const Method_input& input)
 {
   return l1_medial_stages<CGAL::Published_l1_medial_skeletonization_3<Kernel>>(input);
 }
+
+Method_result l1_medial_published_tuned(const Method_input& input)
+{
+  return l1_medial_stages<CGAL::Published_l1_medial_skeletonization_3<Kernel>>(
+      input, CGAL::parameters::published::tuned(true));
+}

@@ -10,4 +10,7 @@
 /// Cloud Skeletonization with Locally Adaptive L1-Medial Projection". Reads the points.
 Method_result l1_medial_published(const Method_input& input);
 
+/// The same with the tuned set of its parameters.
+Method_result l1_medial_published_tuned(const Method_input& input);
+
 #endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_METHODS_L1_MEDIAL_PUBLISHED_H

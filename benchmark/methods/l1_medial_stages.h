@@ -6,12 +6,16 @@
 
 #include "Method.h"
 
+#include <CGAL/Named_function_parameters.h>
+
 /// A class of this package on the points, its steps as stages.
-template <typename Skeletonization>
-Method_result l1_medial_stages(const Method_input& input)
+template <typename Skeletonization,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Method_result l1_medial_stages(const Method_input& input,
+                               const NamedParameters& np = CGAL::parameters::default_values())
 {
   Method_result result;
-  Skeletonization steps(input.points);
+  Skeletonization steps(input.points, np);
   timed_stage(result, "mixture", [&] { steps.fit_mixture(); });
   timed_stage(result, "projection", [&] { steps.project(); });
   timed_stage(result, "linking", [&] { steps.link(); });

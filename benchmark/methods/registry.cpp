@@ -25,6 +25,8 @@ const std::vector<Registered_method>& registered_methods()
   static const std::vector<Registered_method> methods = {
       {"l1_medial", Needs::points, l1_medial, "this package"},
       {"l1_medial_published", Needs::points, l1_medial_published, "Lengauer et al."},
+      {"l1_medial_published_tuned", Needs::points, l1_medial_published_tuned,
+       "Lengauer et al., other parameters"},
       {"mcf", Needs::mesh, mcf, "CGAL, Tagliasacchi et al. 2012"},
       {"wrap_mcf", Needs::points, wrap_mcf, "CGAL, Portaneri et al. 2022, then mcf"},
       {"poisson_mcf", Needs::points_and_normals, poisson_mcf,

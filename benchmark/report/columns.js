@@ -4,6 +4,7 @@
 const METHODS = {
   l1_medial: { label: 'This package', color: '#0b4f9e', point: 'circle' },
   l1_medial_published: { label: 'As published', color: '#3d97d3', point: 'circle' },
+  l1_medial_published_tuned: { label: 'As published, tuned', color: '#8cc4e8', point: 'circle' },
   l1_wlop: { label: 'L1-WLOP', color: '#e07b00', point: 'rect' },
   lapcon10: { label: 'LapCon10', color: '#8c510a', point: 'rectRot' },
   rosa: { label: 'ROSA', color: '#7b3fa0', point: 'triangle' },

@@ -38,10 +38,11 @@ function redraw(input) {
       draw(canvas);
 }
 
-/// 'cycles 1/1 · ends 3/3' where the truth is known, the wrong underlined; else 'junctions 5'.
+/// 'components 1/1 · cycles 1/1 · ends 3/3' where the truth is known, the wrong underlined; else
+/// 'junctions 5'.
 function topology(row) {
   const { metrics } = row;
-  const parts = ['cycles', 'ends'].filter((name) => metrics['true_' + name] !== null)
+  const parts = ['components', 'cycles', 'ends'].filter((name) => metrics['true_' + name] !== null)
     .map((name) => element('span',
       { className: metrics[name] === metrics['true_' + name] ? '' : 'wrong' },
       `${name} ${metrics[name]}/${metrics['true_' + name]}`));

@@ -22,6 +22,12 @@ function makeNoiseChoice() {
   select.onchange = () => chosenNoise.set(Number(select.value));
 }
 
+function showSeeds() {
+  for (const place of document.querySelectorAll('span.seeds'))
+    place.textContent = seedsLabel;
+  document.getElementById('first_seed').textContent = `seed ${seeds[0]}`;
+}
+
 function showNoise() {
   for (const place of document.querySelectorAll('span.noise'))
     place.textContent = noiseLabel(chosenNoise.value);
@@ -30,6 +36,7 @@ function showNoise() {
 makeSummary();
 makeNoiseChoice();
 showNoise();
+showSeeds();
 makeGallery();
 makePlots();
 makeSecondTable();

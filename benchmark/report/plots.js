@@ -64,7 +64,7 @@ function addChart(parent, label, config) {
 function addNoisePlots(id, levels, value, scale, tip) {
   const parent = document.getElementById(id);
   const valueAt = (variant, input, noise) => {
-    const row = rowAt(variant, input, noise);
+    const row = meanRowAt(variant, input, noise);
     return row && row.metrics ? value(row) : null;
   };
   for (const input of inputs) {
@@ -93,7 +93,7 @@ function noisePlot(input, levels, datasets, scale, tip) {
 /// One line per method, one dot per shape.
 function makeSecondPlot() {
   const datasets = variants.map((variant, line) => ({ ...curveStyle(variant), showLine: false,
-    data: inputs.map((input) => ({ row: rowAt(variant, input, chosenNoise.value), y: line }))
+    data: inputs.map((input) => ({ row: meanRowAt(variant, input, chosenNoise.value), y: line }))
       .filter(({ row }) => row && row.status === 'ok')
       .map(({ row, y }) => ({ x: row.seconds, y, input: row.input })) }));
   const parent = document.getElementById('second_plot');

@@ -28,15 +28,49 @@ function keyOf(variant, input, noise) {
   return JSON.stringify([variant, input, noise]);
 }
 
-const rowByKey = new Map(
-  results.rows.map((row) => [keyOf(variantOf(row), row.input, row.noise), row]));
+/// The rows of each key, one for every seed.
+const rowsByKey = new Map();
+for (const row of results.rows) {
+  const key = keyOf(variantOf(row), row.input, row.noise);
+  rowsByKey.set(key, [...(rowsByKey.get(key) || []), row]);
+}
 
+/// That of the first seed.
 function rowAt(variant, input, noise) {
-  return rowByKey.get(keyOf(variant, input, noise));
+  return (rowsByKey.get(keyOf(variant, input, noise)) || [])[0];
+}
+
+/// The mean of the numbers that are there; null if none is.
+function mean(values) {
+  const numbers = values.filter((value) => value !== null && value !== undefined);
+  return numbers.length > 0 ? numbers.reduce((sum, x) => sum + x, 0) / numbers.length : null;
+}
+
+/// That of the first seed with a skeleton, its seconds and metrics averaged over all of these.
+function meanRowAt(variant, input, noise) {
+  const good = (rowsByKey.get(keyOf(variant, input, noise)) || [])
+    .filter((row) => row.status === 'ok');
+  if (good.length === 0)
+    return rowAt(variant, input, noise);
+  const stages = unique(good.flatMap((row) => row.stages.map(([name]) => name)));
+  return { ...good[0], seconds: mean(good.map((row) => row.seconds)),
+    stages: stages.map((name) => [name, mean(good.map((row) => stageSeconds(row, name)))]),
+    metrics: Object.fromEntries(Object.keys(good[0].metrics)
+      .map((name) => [name, mean(good.map((row) => row.metrics[name]))])) };
+}
+
+/// The seconds of the stages of a row with a name; null if there is none.
+function stageSeconds(row, name) {
+  const found = row && row.stages.filter(([stage]) => stage === name);
+  return found && found.length > 0 ? found.reduce((sum, [, value]) => sum + value, 0) : null;
 }
 
 const inputs = unique(results.rows.map((row) => row.input));
 const noiseLevels = ascending(results.rows.map((row) => row.noise));
+const seeds = ascending(results.rows.map((row) => row.seed));
+
+/// 'seed 3' or 'mean of 5 seeds'.
+const seedsLabel = seeds.length === 1 ? `seed ${seeds[0]}` : `mean of ${seeds.length} seeds`;
 
 /// In the order of METHODS, others after; decimated beside not decimated.
 const variants = (() => {

@@ -14,6 +14,8 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <string>
+#include <tuple>
 #include <utility>
 
 using nlohmann::json;
@@ -94,6 +96,7 @@ json row_json(const Compared& row)
 {
   json result = {{"input", row.input},
                  {"noise", row.noise},
+                 {"seed", row.seed},
                  {"method", row.method},
                  {"input_kind", row.input_kind},
                  {"status", row.status},
@@ -114,12 +117,13 @@ json row_json(const Compared& row)
 json results_json(const std::vector<Compared>& rows)
 {
   json result = {{"rows", json::array()}, {"clouds", json::array()}};
-  std::map<std::pair<std::string, double>, std::size_t> cloud_of; // of an input and its noise
+  // Of an input, its noise and its seed.
+  std::map<std::tuple<std::string, double, unsigned int>, std::size_t> cloud_of;
   for(const Compared& row : rows) {
     json written = row_json(row);
     if(row.cloud && !row.cloud->empty()) {
       const auto [known, is_new] =
-          cloud_of.try_emplace({row.input, row.noise}, result["clouds"].size());
+          cloud_of.try_emplace({row.input, row.noise, row.seed}, result["clouds"].size());
       if(is_new)
         result["clouds"].push_back(cloud_json(*row.cloud));
       written["cloud"] = known->second;

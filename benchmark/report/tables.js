@@ -23,11 +23,6 @@ function secondsCell(row) {
   return element('td', { className: 'number warning', title: row.message }, statusLabel(row));
 }
 
-function stageSeconds(row, name) {
-  const found = row && row.stages.filter(([stage]) => stage === name);
-  return found && found.length > 0 ? found.reduce((sum, [, value]) => sum + value, 0) : null;
-}
-
 /// The paper's line for a method of ours, if it has one.
 function paperMethod(variant) {
   return paper.methods.find((method) => method.ours.includes(variant));
@@ -59,7 +54,7 @@ function secondLine(name, className, paperSeconds, cellOf) {
 /// A method's line, then its stages: the paper's where it gives any, and ours.
 function secondLines(variant) {
   const theirs = paperMethod(variant);
-  const rowOf = (input) => rowAt(variant, input, chosenNoise.value);
+  const rowOf = (input) => meanRowAt(variant, input, chosenNoise.value);
   const stage = (...line) => secondLine(line[0], 'tablesorter-childRow stage', ...line.slice(1));
   const names = stageNames(inputs.map(rowOf).filter((row) => row));
   return [
@@ -99,6 +94,7 @@ const ROW_COLUMNS = [
   { label: 'shape', choice: true, text: (row) => row.input },
   { label: 'noise', choice: true, text: (row) => String(row.noise),
     title: 'standard deviation, in diagonals of the bounding box' },
+  { label: 'seed', choice: true, text: (row) => String(row.seed), title: 'of points and noise' },
   { label: 'method', choice: true, text: (row) => styleOf(variantOf(row)).label },
   { label: 'from', choice: true, text: (row) => row.input_kind, title: 'what the method was given' },
   { label: 'status', choice: true, text: statusLabel, hint: (row) => row.message,

@@ -27,12 +27,21 @@ struct Curve_skeleton_vertex_3
   std::vector<std::uint32_t> indices;
 };
 
+/// The properties of an edge of a curve skeleton.
+struct Curve_skeleton_edge_3
+{
+  /// Whether it was added by the published method to merge separate branches: there may be no points
+  /// along it.
+  bool is_bridge = false;
+};
+
 /// A curve skeleton: an undirected BGL graph with the same layout as
 /// `Mean_curvature_flow_skeletonization::Skeleton`, so that `skeleton[v].point` and
 /// `split_graph_into_polylines()` work on both.
 template <typename GeomTraits>
 using Curve_skeleton_3 = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS,
-                                               Curve_skeleton_vertex_3<GeomTraits>>;
+                                               Curve_skeleton_vertex_3<GeomTraits>,
+                                               Curve_skeleton_edge_3>;
 
 } // namespace CGAL
 

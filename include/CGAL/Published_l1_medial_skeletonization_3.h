@@ -11,6 +11,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/interface/Steps.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/named_parameters.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/public_data.h>
+#include <CGAL/Point_set_skeletonization_3/internal/interface/published_options_of.h>
+#include <CGAL/Point_set_skeletonization_3/published_parameters.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -52,18 +54,13 @@ public:
   explicit Published_l1_medial_skeletonization_3(
     const PointRange& points, const NamedParameters& np = parameters::default_values())
     : steps_(Point_set_skeletonization_3::internal::progress_of(np)),
-      number_of_iterations_(static_cast<std::size_t>(parameters::choose_parameter(
-        parameters::get_parameter(np, internal_np::number_of_iterations), 30))),
       skeletonizer_(Point_set_skeletonization_3::internal::concurrency_of<ConcurrencyTag>(),
-                    static_cast<unsigned int>(parameters::choose_parameter(
-                      parameters::get_parameter(np, internal_np::random_seed), 0u)),
-                    number_of_iterations_)
+                    Point_set_skeletonization_3::internal::published_options_of(np))
   {
     namespace internal = Point_set_skeletonization_3::internal;
-    static_assert(internal::Has_only_input_and<NamedParameters, internal_np::number_of_iterations_t,
-                                               internal_np::random_seed_t>::value,
+    static_assert(internal::Has_only_published<NamedParameters>::value,
                   "unknown named parameter: known are point_map, geom_traits, callback, "
-                  "number_of_iterations, random_seed");
+                  "number_of_iterations, random_seed, and those of parameters::published");
     static_assert(internal::Maps_to_points<PointRange, NamedParameters>::value,
                   "the elements of the range are not 3D points: pass point_map(MAP)");
     if constexpr(internal::Maps_to_points<PointRange, NamedParameters>::value) {
@@ -136,8 +133,8 @@ public:
   /// Number of samples.
   std::size_t number_of_samples() const { return skeletonizer_.number_of_samples(); }
 
-  /// Fixed number of iterations of step 2.
-  std::size_t number_of_iterations() const { return number_of_iterations_; }
+  /// Number of iterations of step 2 so far.
+  std::size_t number_of_iterations() const { return skeletonizer_.number_of_iterations(); }
 
   /// Replaces `skeleton` by the result of step 3; see `L1_medial_skeletonization_3`.
   /// \throws std::length_error if the points outnumber the values of an index
@@ -153,7 +150,6 @@ public:
 
 private:
   Point_set_skeletonization_3::internal::Steps steps_;
-  std::size_t number_of_iterations_;
   Skeletonizer skeletonizer_;
   std::function<void(Skeletonizer&, const Progress&)> fit_;
 };

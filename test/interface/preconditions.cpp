@@ -10,8 +10,7 @@
 #include <CGAL/L1_medial_skeletonization_3.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Grid_mixture.h>
 #include <CGAL/Point_set_skeletonization_3/internal/pipeline/Options.h>
-#include <CGAL/Point_set_skeletonization_3/internal/published/nearest_neighbor_gaussians.h>
-#include <CGAL/Point_set_skeletonization_3/internal/published/published_projection.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/Published_options.h>
 #include <CGAL/Published_l1_medial_skeletonization_3.h>
 #include <CGAL/link_medial_samples.h>
 
@@ -100,12 +99,23 @@ TEST_CASE("Options out of their range violate a precondition")
 {
   using namespace CGAL::Point_set_skeletonization_3::internal;
   const Silence silence;
-  Published_projection_options published;
-  published.repulsion = 0.5;
-  CHECK_THROWS_AS(published.check(), CGAL::Precondition_exception);
-  Nearest_neighbor_options neighbors;
-  neighbors.neighbors = 0;
-  CHECK_THROWS_AS(neighbors.check(), CGAL::Precondition_exception);
+  const auto check_refused = [](const auto& change) {
+    Published_options published = Published_options::tuned();
+    CHECK_NOTHROW(published.check());
+    change(published);
+    CHECK_THROWS_AS(published.check(), CGAL::Precondition_exception);
+  };
+  check_refused([](Published_options& o) { o.projection.repulsion = 0.5; });
+  check_refused([](Published_options& o) { o.projection.kernel_growth = -1; });
+  check_refused([](Published_options& o) { o.projection.initial_kernel_radius = 0; });
+  check_refused([](Published_options& o) { o.projection.number_of_samples = 0; });
+  check_refused([](Published_options& o) { o.points.neighbors = 0; });
+  check_refused([](Published_options& o) { o.points.flatness = 0; });
+  check_refused([](Published_options& o) { o.samples.flatness = -1; });
+  check_refused([](Published_options& o) { o.em.alpha = 0; });
+  check_refused([](Published_options& o) { o.branches.alpha_min = 180; });
+  check_refused([](Published_options& o) { o.branches.b_min = 1; });
+  check_refused([](Published_options& o) { o.branches.d_max = 0; });
   Grid_options grid;
   grid.minimum_patches = grid.maximum_patches + 1;
   CHECK_THROWS_AS(grid.check(), CGAL::Precondition_exception);

@@ -18,9 +18,12 @@
 #include <boost/range/irange.hpp>
 #include <boost/range/iterator_range.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -207,6 +210,60 @@ TEST_CASE("The parameters of the published method chain as well, and each change
   CHECK(have_same_bits(by_default, published(defaults)));
   CHECK_FALSE(have_same_bits(by_default, published(parameters::random_seed(1))));
   CHECK_FALSE(have_same_bits(by_default, published(parameters::number_of_iterations(3))));
+
+  using namespace parameters::published;
+  const auto seed = parameters::random_seed(0);
+  const auto explicitly =
+    mu(0.2, delta_h(0.5, alpha(2.2, levels(3, flatness(0.3, sample_flatness(0.3, seed))))));
+  CHECK(have_same_bits(by_default, published(explicitly)));
+  CHECK(have_same_bits(by_default, published(alpha_min(90, b_min(5, d_max(0.15, seed))))));
+  CHECK(have_same_bits(by_default, published(mu(std::nullopt, tuned(false, halt(false))))));
+  CHECK(have_same_bits(by_default,
+                       published(samples(500, h_0(2 / std::cbrt(double(cloud().size())))))));
+  const auto check_changes = [&](const auto& np) {
+    CHECK_FALSE(have_same_bits(by_default, published(np)));
+  };
+  check_changes(mu(0.4));
+  check_changes(h_0(0.3));
+  check_changes(delta_h(0.1));
+  check_changes(halt(true));
+  check_changes(samples(200));
+  check_changes(alpha(1.5));
+  check_changes(levels(2));
+  check_changes(flatness(0.1));
+  check_changes(sample_flatness(0.02));
+  check_changes(alpha_min(170));
+  check_changes(b_min(20));
+  check_changes(d_max(0.01));
+  check_changes(tuned(true));
+  CHECK(have_same_bits(
+    published(tuned(true)),
+    published(delta_h(
+      1.0 / 3, sample_flatness(0.05, alpha_min(120, parameters::number_of_iterations(60)))))));
+}
+
+TEST_CASE("The merging links of the published method are marked, where a graph has a place for it")
+{
+  // Two cylinders apart: one link, much longer than the edges of the branches.
+  const Points points =
+    shapes::to_points<Kernel>(shapes::sample(shapes::two_parts(), 3000, 32));
+  Skeleton skeleton, by_default;
+  REQUIRE(CGAL::extract_published_l1_medial_skeleton(points, skeleton));
+  double longest = 0, longest_bridge = 0;
+  std::size_t bridges = 0;
+  for(const auto e : boost::make_iterator_range(edges(skeleton))) {
+    const double squared = CGAL::squared_distance(skeleton[source(e, skeleton)].point,
+                                                  skeleton[target(e, skeleton)].point);
+    bridges += skeleton[e].is_bridge ? 1 : 0;
+    double& greatest = skeleton[e].is_bridge ? longest_bridge : longest;
+    greatest = std::max(greatest, squared);
+  }
+  CHECK(bridges >= 1);
+  CHECK(bridges < num_edges(skeleton));
+  CHECK(longest_bridge > 4 * longest);
+  REQUIRE(CGAL::extract_l1_medial_skeleton(points, by_default));
+  for(const auto e : boost::make_iterator_range(edges(by_default)))
+    CHECK_FALSE(by_default[e].is_bridge);
 }
 
 TEST_CASE("The published method takes any range with a point map, and any graph")

@@ -156,13 +156,14 @@ TEST_CASE("Every step of the published method leaves what the next one reads")
   for(std::size_t iterations : {1u, 7u}) {
     CAPTURE(iterations);
     Published steps(points, CGAL::parameters::number_of_iterations(iterations));
-    CHECK(steps.number_of_iterations() == iterations);
     REQUIRE(steps.fit_mixture());
     REQUIRE(!steps.mixture().levels.empty());
     CHECK(steps.mixture().cell_size == 0); // its components are not the points of cells
     CHECK(steps.number_of_components() == steps.mixture().levels.back().size());
     CHECK(steps.samples().empty());
+    CHECK(steps.number_of_iterations() == 0);
     REQUIRE(steps.project());
+    CHECK(steps.number_of_iterations() == iterations);
     CHECK(steps.number_of_samples() == steps.samples().size());
     CHECK(!steps.samples().empty());
     CHECK(steps.number_of_samples() < points.size());

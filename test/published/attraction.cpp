@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The closed form of the attraction against the integral and the sum that it stands for.
+// The closed form of the attraction against the integral and the sum that it stands for, and its fast
+// evaluation against the closed form.
 
 #include "catch2.h"
 
 #include <CGAL/Point_set_skeletonization_3/internal/published/attraction.h>
-#include <CGAL/Point_set_skeletonization_3/internal/published/kernel_growth.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <random>
 #include <vector>
 
@@ -23,6 +22,35 @@ using namespace CGAL::Point_set_skeletonization_3::internal;
 using Points = std::vector<Vector3>;
 
 namespace {
+
+// Numerator and denominator of Eq. 9.
+struct Sums
+{
+  Vector3 weighted_position = Vector3::Zero();
+  double weight = 0;
+
+  Sums& operator+=(const Sums& other)
+  {
+    weighted_position += other.weighted_position;
+    weight += other.weight;
+    return *this;
+  }
+};
+
+// The closed form for one component and one sample, in double precision.
+Sums closed_form(const Gaussian& g, const Vector3& q, double h)
+{
+  using Value = Eigen::Array<double, 1, 1>;
+  const Attractor<double> attractor(g, g.mean);
+  const Vector3 d = g.mean - q;
+  const Value squared_radius(h * h);
+  Pull<Value> pull;
+  for(std::size_t k = 0; k < Attraction_kernel::amplitude.size(); ++k)
+    pull.add(attractor, Value(d.x()), Value(d.y()), Value(d.z()),
+             Kernel_term<Value>(k, squared_radius));
+  const double weight = pull.weight[0];
+  return {weight * q + Vector3(pull.x[0], pull.y[0], pull.z[0]), weight};
+}
 
 // A Gaussian whose frame the test knows without computing eigenvectors.
 struct Framed_gaussian
@@ -64,7 +92,7 @@ Framed_gaussian random_gaussian(std::mt19937& generator, double h)
 // Numerator and denominator of Eq. 9 for one component by the trapezoidal rule on a grid in its
 // frame, seven standard deviations wide. The rule converges exponentially for Gaussians: with steps
 // below the narrowest standard deviation of the integrand its error is below 1e-7.
-Pull integrated_pull(const Framed_gaussian& g, const Vector3& q, double h)
+Sums integrated_pull(const Framed_gaussian& g, const Vector3& q, double h)
 {
   const double narrowest = h * *std::min_element(Attraction_kernel::deviation.begin(),
                                                  Attraction_kernel::deviation.end());
@@ -76,7 +104,7 @@ Pull integrated_pull(const Framed_gaussian& g, const Vector3& q, double h)
     step[k] = 7 * g.deviation[k] / count[k];
   }
   const double normalization = std::pow(2 * CGAL_PI, -1.5) / g.deviation.prod();
-  Pull sum;
+  Sums sum;
   for(int i = -count[0]; i <= count[0]; ++i)
     for(int j = -count[1]; j <= count[1]; ++j)
       for(int k = -count[2]; k <= count[2]; ++k) {
@@ -95,12 +123,9 @@ Pull integrated_pull(const Framed_gaussian& g, const Vector3& q, double h)
 template <typename Components, typename Function>
 Vector3 attraction(const Components& components, const Function& pull)
 {
-  Pull sum;
-  for(const auto& c : components) {
-    const Pull p = pull(c);
-    sum.weight += p.weight;
-    sum.weighted_position += p.weighted_position;
-  }
+  Sums sum;
+  for(const auto& c : components)
+    sum += pull(c);
   return sum.weighted_position / sum.weight;
 }
 
@@ -121,15 +146,8 @@ Points random_points(std::mt19937& generator, double h, std::size_t size)
 Vector3 attraction_to_balls(const Points& points, double deviation, double h)
 {
   return attraction(points, [&](const Vector3& p) {
-    return Attractor({1, p, deviation * deviation * Matrix3::Identity()}).pull(Vector3::Zero(), h);
+    return closed_form({1, p, deviation * deviation * Matrix3::Identity()}, Vector3::Zero(), h);
   });
-}
-
-double growth_factor_of_all(const Points& points, double h)
-{
-  std::vector<std::size_t> near(points.size());
-  std::iota(near.begin(), near.end(), std::size_t(0));
-  return growth_factor(points.front(), h, points, near);
 }
 
 } // namespace
@@ -146,8 +164,8 @@ TEST_CASE("The closed form of the attraction is the integral of Eq. 9")
     const Vector3 q = random_vector(generator, 0.1 * h);
 
     for(const Framed_gaussian& g : mixture) {
-      const Pull closed = Attractor(g.gaussian()).pull(q, h);
-      const Pull integral = integrated_pull(g, q, h);
+      const Sums closed = closed_form(g.gaussian(), q, h);
+      const Sums integral = integrated_pull(g, q, h);
       // The factor 1/h of the kernel is left out of the closed form: it cancels in the quotient.
       CHECK(closed.weight == Approx(h * integral.weight).epsilon(1e-6));
       CHECK((closed.weighted_position / closed.weight -
@@ -155,7 +173,7 @@ TEST_CASE("The closed form of the attraction is the integral of Eq. 9")
               .norm() < 1e-6 * h);
     }
     const Vector3 closed = attraction(
-      mixture, [&](const Framed_gaussian& g) { return Attractor(g.gaussian()).pull(q, h); });
+      mixture, [&](const Framed_gaussian& g) { return closed_form(g.gaussian(), q, h); });
     const Vector3 integral =
       attraction(mixture, [&](const Framed_gaussian& g) { return integrated_pull(g, q, h); });
     CHECK((closed - integral).norm() < 1e-6 * h);
@@ -176,8 +194,8 @@ TEST_CASE("The pull of a component moves, turns and scales with it")
     image.frame = turn * g.frame;
     image.deviation *= scale;
 
-    const Pull before = Attractor(g.gaussian()).pull(q, 1);
-    const Pull after = Attractor(image.gaussian()).pull(scale * (turn * q) + offset, scale);
+    const Sums before = closed_form(g.gaussian(), q, 1);
+    const Sums after = closed_form(image.gaussian(), scale * (turn * q) + offset, scale);
     CHECK(after.weight == Approx(before.weight).epsilon(1e-6));
     const Vector3 expected = scale * (turn * before.weighted_position / before.weight) + offset;
     CHECK((after.weighted_position / after.weight - expected).norm() < 1e-6 * scale);
@@ -188,7 +206,7 @@ TEST_CASE("A component without extent in some direction still pulls")
 {
   for(const Vector3& deviation : {Vector3(0, 0, 0), Vector3(0, 0, 0.1), Vector3(0, 0.1, 0.1)}) {
     const Gaussian g{2, Vector3(0.1, 0, 0), deviation.cwiseAbs2().asDiagonal()};
-    const Pull pull = Attractor(g).pull(Vector3(0.05, 0.02, 0), 1);
+    const Sums pull = closed_form(g, Vector3(0.05, 0.02, 0), 1);
     CHECK(pull.weight > 0);
     CHECK(pull.weighted_position.allFinite());
     CHECK(pull.weighted_position.x() / pull.weight == Approx(0.1));
@@ -220,7 +238,7 @@ TEST_CASE("Components that shrink to points attract as the points do")
     // [1 - e, 1 + e] move a mean by at most e / (1 - e) times the mean distance to it.
     const Vector3 limit = attraction(points, [&](const Vector3& p) {
       const double weight = Attraction_kernel::value(p.norm(), h);
-      return Pull{weight * p, weight};
+      return Sums{weight * p, weight};
     });
     double deviation = 0, total = 0;
     for(const Vector3& p : points) {
@@ -252,44 +270,62 @@ TEST_CASE("The attraction to points weighs and survives a point at the sample")
   CHECK((attraction_to_points(100 * far, h, pair, {1, 1}) - 100 * far).norm() == 0);
 }
 
-TEST_CASE("Kernels grow in isotropic surroundings and hardly along a line")
+TEST_CASE("Packets and groups give the closed form")
 {
-  const double h = 1;
-  std::mt19937 generator(21);
-  Points line, ball;
-  for(int i = -50; i <= 50; ++i)
-    line.push_back(0.004 * i * Vector3(1, 2, 2));
-  std::swap(line.front(), line[50]); // the first one is the centre
-  ball.emplace_back(0, 0, 0);
-  while(ball.size() < 2000) {
-    const Vector3 p = random_vector(generator, 0.5);
-    if(p.norm() < 0.5)
-      ball.push_back(p);
+  const unsigned int seed = GENERATE(41u, 42u, 43u);
+  CAPTURE(seed);
+  std::mt19937 generator(seed);
+  // Components the size of a patch along a bent tube, and a few elsewhere.
+  Gaussians mixture;
+  for(int i = 0; i < 600; ++i) {
+    const double t = random_vector(generator, 1).x(), a = CGAL_PI * random_vector(generator, 1).x();
+    Framed_gaussian g = random_gaussian(generator, 0.1);
+    g.mean = i % 20 == 0 ? random_vector(generator, 0.4)
+                         : Vector3(0.4 * t, 0.1 * t * t + 0.05 * std::cos(a), 0.05 * std::sin(a));
+    mixture.push_back(g.gaussian());
   }
-  // Eq. 11 with sigma = 1 and 100 other samples; and with sigma = 1/3.
-  CHECK(growth_factor_of_all(line, h) == Approx(1.0 / 99));
-  CHECK(growth_factor_of_all(ball, h) == Approx(2.0 / 3).margin(0.05));
-
-  Points disk = ball;
-  for(Vector3& p : disk)
-    p.z() = 0;
-  CHECK(growth_factor_of_all(disk, h) == Approx(0.5).margin(0.05));
+  Kernels samples;
+  for(int i = 0; i < 101; ++i) { // the last packet is not full
+    samples.places.push_back(mixture[static_cast<std::size_t>(5 * i)].mean +
+                             random_vector(generator, 0.02));
+    samples.radii.push_back(0.05 * std::exp(1.2 * (1 + random_vector(generator, 1).x())));
+  }
+  const std::vector<Vector3> fast =
+    Attractors(mixture).attraction(samples, Concurrency::sequential);
+  REQUIRE(fast.size() == samples.size());
+  double worst = 0, mean = 0, moved = 0;
+  for(std::size_t i = 0; i < samples.size(); ++i) {
+    const Vector3 q = samples.places[i];
+    const double h = samples.radii[i];
+    const Vector3 exact =
+      attraction(mixture, [&](const Gaussian& g) { return closed_form(g, q, h); }) - q;
+    worst = std::max(worst, (fast[i] - exact).norm() / h);
+    mean += (fast[i] - exact).norm() / h / static_cast<double>(samples.size());
+    moved = std::max(moved, exact.norm() / h);
+  }
+  CHECK(mean < 1e-3);
+  CHECK(worst < 0.01);
+  CHECK(moved > 0.1);
 }
 
-TEST_CASE("The growth factor stays in [0, 1] and is 1 among few samples")
+TEST_CASE("A sample far from everything stays where it is")
 {
-  for(unsigned int seed = 31; seed <= 60; ++seed) {
-    CAPTURE(seed);
-    std::mt19937 generator(seed);
-    Points points;
-    const std::size_t size = 1 + seed % 10;
-    for(std::size_t i = 0; i < size; ++i)
-      points.push_back(random_vector(generator, 0.3).cwiseProduct(Vector3(1, 1e-3, seed % 2)));
-    const double nu = growth_factor_of_all(points, 1);
-    CHECK(nu >= 0);
-    CHECK(nu <= 1);
-    if(size <= 3) // itself and two others
-      CHECK(nu == 1);
+  Gaussians mixture;
+  for(int i = 0; i < 50; ++i)
+    mixture.push_back({1, Vector3(0.001 * i, 0, 0), 1e-6 * Matrix3::Identity()});
+  const Kernels samples{{Vector3(0, 0.5, 0), Vector3(0.02, 0, 0.001)}, {0.1, 0.1}};
+  const std::vector<Vector3> way = Attractors(mixture).attraction(samples, Concurrency::sequential);
+  CHECK(way[0] == Vector3::Zero());
+  CHECK(way[1].norm() > 0);
+}
+
+TEST_CASE("The fast exponential is one up to its end and 0 beyond")
+{
+  const Packet_values x = Packet_values::LinSpaced(0, 15.9f);
+  for(Eigen::Index i = 0; i < x.size(); ++i) {
+    CAPTURE(x[i]);
+    const double exact = std::exp(-static_cast<double>(x[i])), error = std::pow(x[i], 3) / 3.6e5;
+    CHECK(std::abs(decay(x, 16)[i] / exact - 1) < error + 3e-5); // and rounding of eight squares
+    CHECK(decay(x, 7)[i] == (x[i] < 7 ? decay(x, 16)[i] : 0));
   }
-  CHECK(growth_factor_of_all(Points(10, Vector3(1, 2, 3)), 1) == 1); // no direction at all
 }

@@ -99,34 +99,36 @@ std::size_t number_of_vertices_of_degree(const Skeleton_graph& graph, std::size_
   return number;
 }
 
-// The paper's listing, line by line, without any thought of speed.
+// The paper's listing, line by line, without any thought of speed; d_max holds while growing, too.
 class Listing
 {
 public:
-  Listing(const Gaussians& mixture, double d_max)
-    : mixture_(mixture), distance_(mixture), d_max_(d_max)
+  Listing(const Gaussians& mixture, const Branch_detection_options& options)
+    : mixture_(mixture), distance_(mixture), options_(options)
   {}
 
-  std::vector<Branch> run(double alpha_min, std::size_t b_min) const
+  std::vector<Branch> run() const
   {
     std::vector<Branch> B;
     std::set<std::size_t> A;
     for(std::size_t i = 0; i < mixture_.size(); ++i)
       A.insert(A.end(), i);
     auto [i, j] = closest(A);
-    while(A.size() >= b_min && (mixture_[i].mean - mixture_[j].mean).norm() < d_max_) {
+    while(A.size() >= options_.b_min && is_near(i, j)) {
       Branch b{i, j};
       while(const std::size_t* prev = nearest(A, b, b.front())) {
-        if(!(angle_at(mean(b[1]), mean(b[0]), mean(*prev)) > alpha_min))
+        if(!is_near(b.front(), *prev) ||
+           !(angle_at(mean(b[1]), mean(b[0]), mean(*prev)) > options_.alpha_min))
           break;
         b.insert(b.begin(), *prev);
       }
       while(const std::size_t* next = nearest(A, b, b.back())) {
-        if(!(angle_at(mean(b[b.size() - 2]), mean(b.back()), mean(*next)) > alpha_min))
+        if(!is_near(b.back(), *next) ||
+           !(angle_at(mean(b[b.size() - 2]), mean(b.back()), mean(*next)) > options_.alpha_min))
           break;
         b.push_back(*next);
       }
-      if(b.size() >= b_min)
+      if(b.size() >= options_.b_min)
         B.push_back(b);
       for(std::size_t k : b)
         A.erase(k);
@@ -137,6 +139,10 @@ public:
 
 private:
   const Vector3& mean(std::size_t i) const { return mixture_[i].mean; }
+  bool is_near(std::size_t i, std::size_t j) const
+  {
+    return (mean(i) - mean(j)).norm() < options_.d_max;
+  }
 
   std::pair<std::size_t, std::size_t> closest(const std::set<std::size_t>& A) const
   {
@@ -163,7 +169,7 @@ private:
 
   const Gaussians& mixture_;
   Squared_mahalanobis_distances distance_;
-  double d_max_;
+  Branch_detection_options options_;
 };
 
 // What linking the closest two clusters at a time costs in the paper's words.
@@ -202,13 +208,13 @@ TEST_CASE("The Mahalanobis distance is the smaller one of the two, and symmetric
   CHECK(distance(0, 0) == 0);
 }
 
-TEST_CASE("The angle at a vertex is pi straight on and 0 straight back")
+TEST_CASE("The angle at a vertex is 180 degrees straight on and 0 straight back")
 {
   const Vector3 o = Vector3::Zero(), x = Vector3::UnitX(), y = Vector3::UnitY();
-  CHECK(angle_at(x, o, -x) == Approx(CGAL_PI));
-  CHECK(angle_at(x, o, y) == Approx(CGAL_PI / 2));
+  CHECK(angle_at(x, o, -x) == Approx(180));
+  CHECK(angle_at(x, o, y) == Approx(90));
   CHECK(angle_at(x, o, 2 * x) == 0);
-  CHECK(angle_at(x, o, o) == Approx(CGAL_PI));
+  CHECK(angle_at(x, o, o) == 180);
 }
 
 TEST_CASE("A line is one branch from end to end, whatever the order of its components")
@@ -244,7 +250,7 @@ TEST_CASE("A branch turns by less than a right angle")
   CHECK(detect_branches(square, Branch_detection_options()).size() == 2); // must exceed, not reach
 
   Branch_detection_options sharper;
-  sharper.alpha_min = CGAL_PI / 3;
+  sharper.alpha_min = 60;
   CHECK(detect_branches(corner(80), sharper).size() == 1);
 }
 
@@ -309,14 +315,55 @@ TEST_CASE("A branch has b_min components")
   CHECK(link_branches(mixture, branches).vertices.size() == 5);
 }
 
-TEST_CASE("Scattered leftovers do not start a branch")
+TEST_CASE("Limbs whose components are dense, sparse or apart all get their branch")
+{
+  const unsigned int seed = GENERATE(11u, 12u, 13u);
+  CAPTURE(seed);
+  // The dense one holds most of the components, so that the median spacing is that of a clump.
+  Gaussians mixture;
+  add_line(mixture, Vector3(-0.4, 0, 0), Vector3(0.001, 0, 0), 200); // clumped
+  add_line(mixture, Vector3(0, 0, 0), Vector3(0.04, 0, 0), 10);      // 40 times as sparse
+  add_line(mixture, Vector3(0, 0.4, 0), Vector3(0.02, 0, 0), 10);    // detached
+  std::mt19937 generator(seed);
+  std::shuffle(mixture.begin(), mixture.end(), generator);
+  const Branch_detection_options options;
+  const std::vector<Branch> branches = detect_branches(mixture, options);
+  CHECK(branches.size() == 3);
+  CHECK(number_of_used(branches) == mixture.size());
+  const Skeleton_graph graph = link_branches(mixture, branches);
+  CHECK(is_tree(graph));
+}
+
+TEST_CASE("Only links that merge branches are longer than d_max")
+{
+  const unsigned int seed = GENERATE(range(300u, 306u));
+  const double d_max = GENERATE(0.05, 0.1, 0.2);
+  CAPTURE(seed, d_max);
+  const Gaussians mixture = random_mixture(200, seed);
+  Branch_detection_options options;
+  options.d_max = d_max;
+  options.b_min = 2;
+  const std::vector<Branch> branches = detect_branches(mixture, options);
+  REQUIRE(!branches.empty());
+  const Skeleton_graph graph = link_branches(mixture, branches);
+  double longest = 0;
+  for(std::size_t e = 0; e + branches.size() - 1 < graph.edges.size(); ++e)
+    longest = std::max(longest, (graph.vertices[graph.edges[e].first].position -
+                                 graph.vertices[graph.edges[e].second].position)
+                                  .norm());
+  CHECK(longest < d_max);
+  CHECK(longest > d_max / 4); // the bound is what ends a branch
+}
+
+TEST_CASE("A pair further apart than d_max does not start a branch")
 {
   Gaussians mixture;
   add_line(mixture, Vector3::Zero(), Vector3(spacing, 0, 0), 20);
   add_line(mixture, Vector3(0, 0.3, 0), Vector3(6 * spacing, 0, 0), 6);
   Branch_detection_options options;
+  options.d_max = 5 * spacing;
   CHECK(detect_branches(mixture, options).size() == 1);
-  options.d_max = 7;
+  options.d_max = 7 * spacing;
   CHECK(detect_branches(mixture, options).size() == 2);
 }
 
@@ -350,24 +397,13 @@ TEST_CASE("No components have no skeleton, any others have one")
 TEST_CASE("Fast or line by line, the branches are the same")
 {
   const unsigned int seed = GENERATE(range(100u, 110u));
-  const double d_max = GENERATE(0.5, 1.0, 100.0);
+  const double d_max = GENERATE(0.03, 0.06, 10.0);
   CAPTURE(seed, d_max);
   const Gaussians mixture = random_mixture(150, seed);
-  const Squared_mahalanobis_distances distance(mixture);
-  std::vector<double> nearest; // Euclidean distances to the nearest components under d_M
-  for(std::size_t i = 0; i < mixture.size(); ++i) {
-    std::size_t best = i == 0 ? 1 : 0;
-    for(std::size_t j = 0; j < mixture.size(); ++j)
-      if(j != i && distance(i, j) < distance(i, best))
-        best = j;
-    nearest.push_back((mixture[i].mean - mixture[best].mean).norm());
-  }
-  std::nth_element(nearest.begin(), nearest.begin() + 75, nearest.end());
-
   Branch_detection_options options;
   options.d_max = d_max;
   const std::vector<Branch> branches = detect_branches(mixture, options);
-  CHECK(branches == Listing(mixture, d_max * nearest[75]).run(options.alpha_min, options.b_min));
+  CHECK(branches == Listing(mixture, options).run());
   CHECK(detect_branches(mixture, options) == branches);
 }
 

@@ -124,7 +124,7 @@ class ReportTest(unittest.TestCase):
     def test_a_cell_for_every_row(self):
         for noise in sorted({row["noise"] for row in self.rows}):
             self.choose_noise(noise)
-            rows = [row for row in self.rows if row["noise"] == noise]
+            rows = [row for row in self.rows if row["noise"] == noise and row["seed"] == 0]
             self.assertEqual(len(self.find(".cell")), len(rows))
             for status, label in STATUS.items():
                 cells = self.find(f".cell.{status}")
@@ -256,14 +256,31 @@ class ReportTest(unittest.TestCase):
         self.choose_noise(0.01)
         self.assertFalse(self.run_script(visible))  # also in what was drawn anew
 
-    def test_a_junction_plot_shows_the_counts(self):
+    def test_a_junction_plot_shows_the_mean_of_the_counts(self):
         shown = self.run_script(
             "const data = Chart.getChart(document.querySelector('#junction_plots canvas')).data;"
             "return data.datasets.find((set) => set.label === 'L1-WLOP').data"
             ".map(({ x, y }) => [x, countAxis.fromAxis(y)])")
-        wanted = [[row["noise"], row["metrics"]["junctions"]] for row in self.rows
-                  if row["method"] == "l1_wlop" and row["input"] == self.rows[0]["input"]]
+        rows = [row for row in self.rows
+                if row["method"] == "l1_wlop" and row["input"] == self.rows[0]["input"]]
+        wanted = [[row["noise"], row["metrics"]["junctions"] + 2]  # seed 1 has four more
+                  for row in rows if row["seed"] == 0]
+        self.assertEqual(len(rows), 2 * len(wanted))
         self.assertEqual(shown, wanted)
+
+    def test_every_figure_says_over_how_many_seeds_it_is(self):
+        self.assertEqual(set(self.texts("span.seeds")), {"mean of 2 seeds"})
+        self.assertEqual(len(self.find("h3 span.seeds")), len(self.find("#plots h3")))
+        self.assertEqual(len(self.find("#seconds span.seeds")), 1)
+        self.assertEqual(self.texts("#first_seed"), ["seed 0"])
+
+    def test_wrong_components_are_marked(self):
+        metrics = [row["metrics"] for row in self.rows
+                   if row["noise"] == 0 and row["seed"] == 0 and row["metrics"]]
+        wrong = [m for m in metrics if m["true_components"] not in (None, m["components"])]
+        self.assertGreater(len(wrong), 0)
+        marked = [text for text in self.texts(".caption .wrong") if text.startswith("components")]
+        self.assertEqual(len(marked), len(wrong))
 
 
 if __name__ == "__main__":

@@ -19,22 +19,22 @@ namespace parameters {
 // the parameters of this package take the rest of the chain as an optional second argument:
 // `single_component(true)`, `single_component(true, CGAL::parameters::point_map(map))`.
 
-/// Makes a named parameter that is `true` or `false`, alone or in front of others.
-template <typename Tag>
-struct Boolean_parameter
+/// Makes a named parameter of this type, alone or in front of others.
+template <typename Tag, typename Value>
+struct Parameter
 {
-  Named_function_parameters<bool, Tag> operator()(bool value) const { return {value}; }
+  Named_function_parameters<Value, Tag> operator()(Value value) const { return {value}; }
 
   template <typename T, typename OtherTag, typename Base>
-  Named_function_parameters<bool, Tag, Named_function_parameters<T, OtherTag, Base>>
-  operator()(bool value, const Named_function_parameters<T, OtherTag, Base>& rest) const
+  Named_function_parameters<Value, Tag, Named_function_parameters<T, OtherTag, Base>>
+  operator()(Value value, const Named_function_parameters<T, OtherTag, Base>& rest) const
   {
     return {value, rest};
   }
 };
 
 /// The named parameter `single_component`.
-inline constexpr Boolean_parameter<internal_np::single_component_t> single_component{};
+inline constexpr Parameter<internal_np::single_component_t, bool> single_component{};
 
 } // namespace parameters
 } // namespace CGAL

@@ -9,6 +9,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/linkage.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/plain_data.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/Published_options.h>
 
 #include <cstddef>
 #include <memory>
@@ -22,8 +23,7 @@ namespace internal {
 class Published_skeletonizer
 {
 public:
-  Published_skeletonizer(Concurrency concurrency, unsigned int random_seed,
-                         std::size_t number_of_iterations);
+  Published_skeletonizer(Concurrency concurrency, const Published_options& options);
   Published_skeletonizer(Published_skeletonizer&&) noexcept;
   Published_skeletonizer& operator=(Published_skeletonizer&&) noexcept;
   ~Published_skeletonizer();
@@ -42,9 +42,11 @@ public:
   std::vector<Plain_l1_sample> samples() const;
   Plain_skeleton skeleton() const;
 
-  /// Number of components of the coarsest level of the mixture, and of samples.
+  /// Number of components of the coarsest level of the mixture, of samples, and of the iterations
+  /// that moved them.
   std::size_t number_of_components() const;
   std::size_t number_of_samples() const;
+  std::size_t number_of_iterations() const;
   std::size_t number_of_points() const;
 
   /// Fills the list of points of each vertex. \pre `link()` is done

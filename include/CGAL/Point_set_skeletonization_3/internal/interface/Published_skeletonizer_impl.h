@@ -25,18 +25,17 @@ struct Published_skeletonizer::State
   Normalization normalization;
   std::vector<Vector3> points;
   std::vector<Gaussians> mixture; ///< Finest level first.
-  std::vector<L1_sample> samples;
+  Projected_samples projected;
   Published_skeleton skeleton;
 };
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
-Published_skeletonizer::Published_skeletonizer(Concurrency concurrency, unsigned int random_seed,
-                                               std::size_t number_of_iterations)
+Published_skeletonizer::Published_skeletonizer(Concurrency concurrency,
+                                               const Published_options& options)
   : state_(std::make_unique<State>())
 {
   state_->concurrency = concurrency;
-  state_->options.em.random_seed = random_seed;
-  state_->options.projection.iterations = number_of_iterations;
+  state_->options = options;
 }
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
@@ -54,7 +53,7 @@ void Published_skeletonizer::fit_mixture(const Point_source& points, const Progr
 {
   State& state = *state_;
   state.mixture.clear();
-  state.samples.clear();
+  state.projected = Projected_samples();
   state.skeleton = Published_skeleton();
   state.normalization = normalization_of(points, state.concurrency);
   state.points = copied_points({points, state.normalization});
@@ -65,9 +64,9 @@ CGAL_POINT_SET_SKELETONIZATION_3_INLINE
 void Published_skeletonizer::project(const Progress& progress)
 {
   State& state = *state_;
-  state.samples.clear();
+  state.projected = Projected_samples();
   state.skeleton = Published_skeleton();
-  state.samples = published_samples(state.points, state.mixture, state.options,
+  state.projected = published_samples(state.points, state.mixture, state.options,
                                     state.concurrency, progress);
 }
 
@@ -76,7 +75,7 @@ void Published_skeletonizer::link(const Progress& progress)
 {
   State& state = *state_;
   state.skeleton = Published_skeleton();
-  state.skeleton = published_skeleton(state.points, state.samples, state.options,
+  state.skeleton = published_skeleton(state.points, state.projected.samples, state.options,
                                       state.concurrency, progress);
 }
 
@@ -91,7 +90,7 @@ std::vector<Plain_l1_sample> Published_skeletonizer::samples() const
 {
   const Normalization& normalization = state_->normalization;
   std::vector<Plain_l1_sample> result;
-  for(const L1_sample& s : state_->samples)
+  for(const L1_sample& s : state_->projected.samples)
     result.push_back({to_plain(s.origin, normalization), to_plain(s.position, normalization),
                       s.kernel_radius * normalization.diagonal(),
                       s.radius * normalization.diagonal()});
@@ -101,7 +100,9 @@ std::vector<Plain_l1_sample> Published_skeletonizer::samples() const
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
 Plain_skeleton Published_skeletonizer::skeleton() const
 {
-  return to_plain(state_->skeleton.graph, state_->normalization);
+  Plain_skeleton result = to_plain(state_->skeleton.graph, state_->normalization);
+  result.number_of_bridges = state_->skeleton.number_of_bridges;
+  return result;
 }
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
@@ -111,7 +112,13 @@ std::size_t Published_skeletonizer::number_of_components() const
 }
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
-std::size_t Published_skeletonizer::number_of_samples() const { return state_->samples.size(); }
+std::size_t Published_skeletonizer::number_of_samples() const { return state_->projected.samples.size(); }
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+std::size_t Published_skeletonizer::number_of_iterations() const
+{
+  return state_->projected.iterations;
+}
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
 std::size_t Published_skeletonizer::number_of_points() const { return state_->points.size(); }

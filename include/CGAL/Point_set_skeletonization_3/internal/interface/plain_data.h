@@ -71,6 +71,7 @@ struct Plain_skeleton
 {
   std::vector<Plain_vertex> vertices;
   std::vector<std::pair<std::size_t, std::size_t>> edges;
+  std::size_t number_of_bridges = 0; ///< The last edges.
 };
 
 /// Access to the index lists of all vertices, whatever their type.

@@ -179,6 +179,16 @@ struct Indices_of<Graph, std::void_t<decltype(boost::vertex_bundle_type<Graph>::
   using type = decltype(boost::vertex_bundle_type<Graph>::type::indices);
 };
 
+/// Whether the edges of `Graph` say which of them are bridges.
+template <typename Graph, typename = void>
+struct Has_bridges : std::false_type
+{};
+
+template <typename Graph>
+struct Has_bridges<Graph, std::void_t<decltype(boost::edge_bundle_type<Graph>::type::is_bridge)>>
+  : std::true_type
+{};
+
 /// Returns the lists of points of all vertices, filled by `fill(lists)`.
 /// \throws std::length_error if the points outnumber the values of an index
 template <typename Indices, typename Fill>
@@ -217,8 +227,14 @@ void set_public_skeleton(const Plain_skeleton& plain, std::size_t points, const 
     bundle.point = to_public<GeomTraits>(plain.vertices[v].point);
     bundle.radius = static_cast<FT>(plain.vertices[v].radius);
   }
-  for(const auto& e : plain.edges)
-    add_edge(vertex(e.first, result), vertex(e.second, result), result);
+  for(std::size_t k = 0; k < plain.edges.size(); ++k) {
+    const auto& [v, w] = plain.edges[k];
+    const auto added = add_edge(vertex(v, result), vertex(w, result), result);
+    if constexpr(Has_bridges<SkeletonGraph>::value)
+      result[added.first].is_bridge = k + plain.number_of_bridges >= plain.edges.size();
+    else
+      static_cast<void>(added);
+  }
   // Assignment copies a BGL graph, so indices are moved in afterwards. They are made before, as
   // this may throw.
   using Indices = typename Indices_of<SkeletonGraph>::type;

@@ -6,11 +6,10 @@
 
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/quantile.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/Published_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/gaussian_functions.h>
 
-#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
 #include <Eigen/Geometry>
@@ -29,42 +28,20 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Thresholds of Algorithm 1, named as in the paper.
-struct Branch_detection_options
-{
-  /// Least angle between adjacent segments of a branch; radians, in [0, pi), where pi is straight.
-  double alpha_min = CGAL_PI / 2;
-
-  /// Least number of components of a branch, >= 2.
-  std::size_t b_min = 5;
-
-  /// A branch starts from a pair of components closer than this, > 0; in units of the spacing, the
-  /// median distance of a component to its nearest one. The paper's 0.1 % of the bounding box
-  /// diagonal is below the spacing of any mixture of usual size, so that no branch would start.
-  /// Gaps along randomly sampled curves are at most 4 spacings wide in 99 of 100 cases, hardly ever
-  /// 5; pairs further apart are scattered leftovers.
-  double d_max = 5;
-
-  void check() const
-  {
-    CGAL_precondition(alpha_min >= 0 && alpha_min < CGAL_PI);
-    CGAL_precondition(b_min >= 2);
-    CGAL_precondition(d_max > 0);
-  }
-};
-
-/// Returns the angle at `b` between the segments to `a` and to `c`, in [0, pi]; pi if a segment has
-/// no length.
+/// Returns the angle at `b` between the segments to `a` and to `c`, in degrees, in [0, 180]; 180 if a
+/// segment has no length.
 inline double angle_at(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const Vector3 u = a - b, v = c - b;
   if(u.isZero(0) || v.isZero(0))
-    return CGAL_PI;
-  return std::atan2(u.cross(v).norm(), u.dot(v));
+    return 180;
+  return std::atan2(u.cross(v).norm(), u.dot(v)) * 180 / CGAL_PI;
 }
 
-/// Algorithm 1 of the paper. The set A of the paper is `is_free_`; components leave it as they are
-/// added to a branch, which is the same since A is only read as A without b while b grows.
+/// Algorithm 1 of the paper, with branches that do not grow over d_max: the listing bounds only the
+/// pair that starts one, the text the distance between components. The set A of the paper is
+/// `is_free_`; components leave it as they are added to a branch, which is the same since A is only
+/// read as A without b while b grows.
 class Branch_detection
 {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -77,25 +54,24 @@ public:
   Branch_detection(const Gaussians& mixture, const Branch_detection_options& options)
     : mixture_(mixture)
     , distance_(mixture)
-    , alpha_min_(options.alpha_min)
+    , options_(options)
     , is_free_(mixture.size(), true)
     , number_free_(mixture.size())
   {
     for(std::size_t i = 0; i < mixture.size(); ++i)
       push_pair(i);
-    d_max_ = options.d_max * spacing();
   }
 
-  std::vector<Branch> run(std::size_t b_min)
+  std::vector<Branch> run()
   {
     std::vector<Branch> branches;
-    while(number_free_ >= b_min) {
+    while(number_free_ >= options_.b_min) {
       const Pair seed = closest_pair();
       const std::size_t i = std::get<1>(seed), j = std::get<2>(seed);
-      if(!((mixture_[i].mean - mixture_[j].mean).norm() < d_max_))
+      if(!is_near(i, j))
         break;
       Branch branch = grown(i, j);
-      if(branch.size() >= b_min)
+      if(branch.size() >= options_.b_min)
         branches.push_back(std::move(branch));
     }
     return branches;
@@ -126,17 +102,11 @@ private:
       pairs_.emplace(distance_(i, j), i, j);
   }
 
-  /// Median distance of a component to its nearest one; 0 if there are less than two.
-  double spacing() const
+  /// Whether two components are closer than d_max, and not at one place: these form no chain.
+  bool is_near(std::size_t i, std::size_t j) const
   {
-    std::vector<double> distances;
-    for(auto pairs = pairs_; !pairs.empty(); pairs.pop()) {
-      const auto& [d, i, j] = pairs.top();
-      distances.push_back((mixture_[i].mean - mixture_[j].mean).norm());
-    }
-    if(distances.empty())
-      return 0;
-    return quantile(std::move(distances), 0.5);
+    const double distance = (mixture_[i].mean - mixture_[j].mean).norm();
+    return distance > 0 && distance < options_.d_max;
   }
 
   /// The closest pair of free components. Distances to the nearest free component only grow, so an
@@ -171,8 +141,9 @@ private:
     for(;;) {
       const std::size_t end = branch.back(), before = branch[branch.size() - 2];
       const std::size_t next = nearest_free(end);
-      if(next == none ||
-         !(angle_at(mixture_[before].mean, mixture_[end].mean, mixture_[next].mean) > alpha_min_))
+      if(next == none || !is_near(end, next) ||
+         !(angle_at(mixture_[before].mean, mixture_[end].mean, mixture_[next].mean) >
+           options_.alpha_min))
         return;
       branch.push_back(next);
       take(next);
@@ -187,8 +158,7 @@ private:
 
   const Gaussians& mixture_;
   Squared_mahalanobis_distances distance_;
-  double alpha_min_;
-  double d_max_ = 0;
+  Branch_detection_options options_;
   std::vector<bool> is_free_;
   std::size_t number_free_;
   std::priority_queue<Pair, std::vector<Pair>, std::greater<Pair>> pairs_;
@@ -200,7 +170,7 @@ inline std::vector<Branch> detect_branches(const Gaussians& mixture,
                                            const Branch_detection_options& options)
 {
   options.check();
-  return Branch_detection(mixture, options).run(options.b_min);
+  return Branch_detection(mixture, options).run();
 }
 
 /// As `detect_branches()`, but with at least one branch unless `mixture` is empty. The paper does

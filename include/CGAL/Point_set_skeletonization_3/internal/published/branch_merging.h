@@ -55,8 +55,8 @@ inline std::vector<Branch_link> branch_links(const Gaussians& mixture,
 }
 
 /// Returns the skeleton through `branches`: vertices at the means of their components, edges along
-/// the branches, and links between them at the pairs of components closest under d_M. Always a
-/// tree, with radii 0; empty without branches. O(n^2 log n).
+/// the branches, and, as the last `branches.size() - 1` edges, links between them at the pairs of
+/// components closest under d_M. Always a tree, with radii 0; empty without branches. O(n^2 log n).
 /// \pre the branches are disjoint and not empty, as those of `detect_branches()` are
 inline Skeleton_graph link_branches(const Gaussians& mixture, const std::vector<Branch>& branches)
 {

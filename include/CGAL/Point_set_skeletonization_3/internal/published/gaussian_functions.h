@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -23,6 +24,17 @@ namespace internal {
 inline bool lexicographically_less(const Vector3& a, const Vector3& b)
 {
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+}
+
+/// Returns the indices of points in lexicographic order of these. O(n log n).
+inline std::vector<std::size_t> lexicographic_order(const std::vector<Vector3>& points)
+{
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return lexicographically_less(points[a], points[b]);
+  });
+  return order;
 }
 
 /// A total order of Gaussians: by mean, weight, covariance. Equivalent Gaussians have the same bits

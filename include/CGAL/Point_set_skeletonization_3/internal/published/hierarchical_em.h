@@ -9,9 +9,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Moments.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/Point_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/Published_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/gaussian_functions.h>
-
-#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,32 +23,6 @@
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
-
-/// Hierarchical expectation maximization; nothing here has a unit.
-struct Hierarchical_em_options
-{
-  /// Reach of a parent, in standard deviations, > 0: it considers components within `alpha` times
-  /// its largest deviation and takes those whose divergence from it is at most alpha^2 / 2, that of
-  /// an equal component `alpha` deviations away. Preiner et al. use 2.2.
-  double alpha = 2.2;
-
-  /// Probability of a component to become a parent, in (0, 1).
-  double parent_probability = 1.0 / 3;
-
-  /// Levels above the finest. A fixed number, as in Preiner et al.: merging stops only when no
-  /// patches fit each other. A level keeps a third of the components where all merge, more on
-  /// surfaces: three levels leave 1/8 to 1/13 of the points, where the paper's mixtures have 1/6 to
-  /// 1/15, mostly 1/9.
-  std::size_t number_of_levels = 3;
-
-  unsigned int random_seed = 0;
-
-  void check() const
-  {
-    CGAL_precondition(alpha > 0);
-    CGAL_precondition(parent_probability > 0 && parent_probability < 1);
-  }
-};
 
 /// Finalizer of the generator SplitMix64 (Steele et al. 2014): spreads every bit over all others.
 inline std::uint64_t mixed(std::uint64_t h)

@@ -4,10 +4,13 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_KERNEL_GROWTH_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_KERNEL_GROWTH_H
 
-
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/principal_axes.h>
-#include <CGAL/Point_set_skeletonization_3/internal/published/attraction.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/Kernel_packet.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Packet_tree.h>
+
+#include <Eigen/Core>
 
 #include <cstddef>
 #include <vector>
@@ -16,23 +19,64 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Returns the growth factor nu in [0, 1] of a kernel (Eq. 11 to 13): 1 in isotropic surroundings,
-/// near 0 where the samples within the kernel radius `h` are collinear. `near` are those samples,
-/// including the one at `center`.
-inline double growth_factor(const Vector3& center, double h, const std::vector<Vector3>& positions,
-                            const std::vector<std::size_t>& near)
+/// Returns the anisotropy sigma in [0, 1] of Eq. 12: 1/3 in isotropic surroundings, 1 along a line;
+/// 0 without any other sample.
+inline double anisotropy(const Matrix3& covariance)
 {
-  const double n = static_cast<double>(near.size()) - 1;
-  if(n <= 2)
-    return 1;
-  Matrix3 covariance = Matrix3::Zero();
-  for(std::size_t j : near) {
-    const Vector3 d = center - positions[j];
-    covariance += theta(d.squaredNorm(), h) * d * d.transpose();
-  }
   const double trace = covariance.trace();
-  const double sigma = trace > 0 ? principal_axes(covariance).variances[2] / trace : 0;
-  return 1 - (n - 2) / (n - 1) * sigma;
+  return trace > 0 ? principal_axes(covariance).variances[2] / trace : 0;
+}
+
+/// What a sample sees within its kernel.
+struct Surroundings
+{
+  double density = 1;    ///< w of Eq. 8: 1 + sum of theta over the other samples.
+  double neighbors = 0;  ///< n of Eq. 11, the number of other samples.
+  double anisotropy = 0; ///< sigma of Eq. 12, in [0, 1].
+
+  /// The growth factor nu in [0, 1] of the kernel (Eq. 11): 1 in isotropic surroundings, near 0
+  /// where the samples are collinear.
+  double growth_factor() const
+  {
+    return neighbors > 2 ? 1 - (neighbors - 2) / (neighbors - 1) * anisotropy : 1;
+  }
+};
+
+/// Returns what each kernel sees of the samples of `tree`, of which its own is one (Eq. 8 and 11 to
+/// 13). Fast if consecutive kernels are close. O(n^2) if the kernels are as wide as the shape.
+inline std::vector<Surroundings> surroundings(const Packet_tree& tree, const Kernels& kernels,
+                                              Concurrency concurrency)
+{
+  std::vector<Surroundings> result(kernels.size());
+  for_each_packet(concurrency, kernels.size(), [&](std::size_t first, std::size_t end) {
+    Packet_values density = Packet_values::Zero(), count = Packet_values::Zero();
+    Packet_vectors diagonal{density, density, density}, mixed = diagonal; // of C, Eq. 13
+    const Kernel_packet packet(tree, kernels, first, end);
+    packet.for_each_within(
+      tree, packet.squared_radius,
+      [&](std::size_t, const Packet_vectors& d, const Packet_values& squared) {
+        const Packet_values theta = packet.theta(squared);
+        density += theta;
+        count += is_positive(theta);
+        const Packet_values x = theta * d.x, y = theta * d.y, z = theta * d.z;
+        diagonal.x += x * d.x;
+        diagonal.y += y * d.y;
+        diagonal.z += z * d.z;
+        mixed.x += y * d.z;
+        mixed.y += z * d.x;
+        mixed.z += x * d.y;
+      });
+    for(std::size_t i = first; i < end; ++i) {
+      const auto k = static_cast<Eigen::Index>(i - first);
+      Eigen::Matrix3f covariance;
+      covariance << diagonal.x[k], mixed.z[k], mixed.y[k], //
+        mixed.z[k], diagonal.y[k], mixed.x[k],             //
+        mixed.y[k], mixed.x[k], diagonal.z[k];
+      // The sample itself adds 1 to the density, 1 to the number, nothing to the covariance.
+      result[i] = {density[k], count[k] - 1, anisotropy(covariance.cast<double>())};
+    }
+  });
+  return result;
 }
 
 } // namespace internal

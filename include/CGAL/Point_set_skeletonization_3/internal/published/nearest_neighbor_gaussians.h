@@ -8,45 +8,17 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/Point_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/Published_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/gaussian_functions.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Neighbor.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
-
-/// How a point becomes a Gaussian; nothing here has a unit.
-struct Nearest_neighbor_options
-{
-  /// Number of neighbours k, at least 1; 8 make a ring around a point of a surface.
-  std::size_t neighbors = 8;
-
-  /// Variance added in every direction, as a fraction of the neighbours' mean variance; above 0.
-  ///
-  /// Patches merge if their divergence is small, and that grows with the angle between them the
-  /// faster the flatter they are: two equal discs at angle phi diverge by half of
-  /// (R - 1)^2 / R sin^2(phi), where R is the ratio of their variances in and across the plane.
-  /// A fraction of 0.01 means R = 151, and the limit of 2.2^2 / 2 is passed at 10 degrees; the
-  /// normal of 8 neighbours on a curved or noisy surface is less certain than that, most patches
-  /// then never merge, and noise decides how many. A fraction of 0.3 means R = 6: no angle alone
-  /// forbids to merge, only together with a distance. The mixture sizes are those of the paper
-  /// then, with or without noise. Scaling the whole covariance by 2 or 4 gives these sizes as well,
-  /// but blurs the surface along the plane, where nothing needs it.
-  double flatness = 0.3;
-
-  void check() const
-  {
-    CGAL_precondition(neighbors >= 1);
-    CGAL_precondition(flatness > 0);
-  }
-};
 
 /// Returns the covariance about `center` of its neighbours. `found` includes `center` itself, which
 /// is not counted.
@@ -68,12 +40,7 @@ struct Distinct_positions
 {
   explicit Distinct_positions(const std::vector<Vector3>& points) : index_of(points.size())
   {
-    std::vector<std::size_t> order(points.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return lexicographically_less(points[a], points[b]);
-    });
-    for(std::size_t i : order) {
+    for(std::size_t i : lexicographic_order(points)) {
       if(positions.empty() || positions.back() != points[i])
         positions.push_back(points[i]);
       index_of[i] = positions.size() - 1;

@@ -10,8 +10,10 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/Point_search.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/Published_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/branch_detection.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/branch_merging.h>
+#include <CGAL/Point_set_skeletonization_3/internal/published/densities.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/hierarchical_em.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/nearest_neighbor_gaussians.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/published_projection.h>
@@ -30,15 +32,6 @@ namespace internal {
 // The stages of the method as published: kNN Gaussians, hierarchical EM, samples drawn from the
 // points, a fixed number of iterations with linearly growing kernels, Algorithm 1 on a mixture of
 // the samples.
-
-/// Options of the published method.
-struct Published_options
-{
-  Nearest_neighbor_options nearest_neighbors;
-  Hierarchical_em_options em;
-  Published_projection_options projection;
-  Branch_detection_options branches;
-};
 
 /// Returns all points of a cloud, normalised; the published method needs them. O(n).
 inline std::vector<Vector3> copied_points(const Normalized_points& points)
@@ -60,10 +53,10 @@ inline std::vector<Gaussians> published_mixture(const std::vector<Vector3>& poin
 {
   if(points.empty())
     return {};
-  Gaussians start = nearest_neighbor_gaussians(points, options.nearest_neighbors, concurrency);
-  const double h = initial_kernel_radius(points.size());
+  options.check();
+  Gaussians start = nearest_neighbor_gaussians(points, options.points, concurrency);
   const std::vector<double> density =
-    densities(points, [&](std::size_t) { return h; }, concurrency);
+    densities(points, options.projection.kernel_radius_of(points.size()), concurrency);
   for(std::size_t i = 0; i < start.size(); ++i)
     start[i].weight /= density[i]; // Eq. 7: alpha_j / v_j
   progress(0.5);
@@ -72,53 +65,46 @@ inline std::vector<Gaussians> published_mixture(const std::vector<Vector3>& poin
   return result;
 }
 
-/// Returns the number of samples. The paper says "a small subset"; Huang et al. (2013) take a
-/// twentieth. At least 500, so that each limb gets some.
-inline std::size_t published_number_of_samples(std::size_t points)
-{
-  constexpr std::size_t fraction = 20, least = 500;
-  return std::min(points, std::max(points / fraction, least));
-}
-
 /// Returns samples drawn from the points: a seeded random choice by position, independent of the
 /// order of the points. O(n log n).
 inline std::vector<L1_sample> drawn_samples(const std::vector<Vector3>& points,
-                                            unsigned int random_seed)
+                                            const Published_options& options)
 {
   std::vector<std::pair<std::uint64_t, std::size_t>> order;
   for(std::size_t i = 0; i < points.size(); ++i)
-    order.emplace_back(position_hash(points[i], random_seed), i);
+    order.emplace_back(position_hash(points[i], options.em.random_seed), i);
   std::sort(order.begin(), order.end());
-  order.resize(published_number_of_samples(order.size()));
+  order.resize(options.projection.samples_of(points.size()));
   std::vector<L1_sample> drawn(order.size());
   for(std::size_t k = 0; k < drawn.size(); ++k) {
     drawn[k].origin = drawn[k].position = points[order[k].second];
-    drawn[k].kernel_radius = initial_kernel_radius(points.size());
+    drawn[k].kernel_radius = options.projection.kernel_radius_of(points.size());
   }
   return drawn;
 }
 
 /// Stage 2: returns samples, moved to L1-medians of the coarsest level of the mixture.
-inline std::vector<L1_sample> published_samples(const std::vector<Vector3>& points,
-                                                const std::vector<Gaussians>& mixture,
-                                                const Published_options& options,
-                                                Concurrency concurrency, const Progress& progress)
+inline Projected_samples published_samples(const std::vector<Vector3>& points,
+                                           const std::vector<Gaussians>& mixture,
+                                           const Published_options& options,
+                                           Concurrency concurrency, const Progress& progress)
 {
   if(mixture.empty())
     return {};
-  std::vector<L1_sample> samples =
-    project_as_published(drawn_samples(points, options.em.random_seed), mixture.back(),
+  Projected_samples result =
+    project_as_published(drawn_samples(points, options), mixture.back(),
                          options.projection, concurrency, progress);
   const Point_search surface(means_of(mixture.back()));
-  for(L1_sample& s : samples)
+  for(L1_sample& s : result.samples)
     s.radius = std::sqrt(surface.nearest(s.position).squared_distance);
-  return samples;
+  return result;
 }
 
 /// A skeleton, and the vertex of each input point.
 struct Published_skeleton
 {
   Skeleton_graph graph;
+  std::size_t number_of_bridges = 0; ///< The last edges, which merge branches.
   std::vector<std::size_t> vertex_of_point;
 };
 
@@ -140,12 +126,14 @@ inline Published_skeleton published_skeleton(const std::vector<Vector3>& points,
   }
   const Gaussians mixture =
     hierarchical_em(
-      nearest_neighbor_gaussians(positions, options.nearest_neighbors, concurrency), options.em,
+      nearest_neighbor_gaussians(positions, options.samples, concurrency), options.em,
       concurrency)
       .back();
   progress(0.3);
   Skeleton_graph& graph = result.graph;
-  graph = link_branches(mixture, detect_longest_branches(mixture, options.branches));
+  const std::vector<Branch> branches = detect_longest_branches(mixture, options.branches);
+  graph = link_branches(mixture, branches);
+  result.number_of_bridges = branches.size() - 1;
   progress(0.8);
 
   std::vector<Vector3> vertices;
