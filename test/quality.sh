@@ -102,7 +102,7 @@ has exact 4 NO
 has cycles_true 4 -
 check "what is wrong with a file" test "$(field status 7)" != ok
 
-accepts meshes closed.off --noise 0,0.005 --points 1000 --turns 2 --csv table.csv
+accepts meshes closed.off --noise 0,0.005 --points 3000 --turns 2 --csv table.csv
 check "a head and a row for every cloud in every orientation" test "$(wc -l < table.csv)" = 7
 has variant 2 "noise 0.005"
 has variant 3 "noise 0.000 turn 1"

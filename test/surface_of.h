@@ -18,13 +18,21 @@ inline CGAL::Point_set_skeletonization_3::internal::Surface surface_of(const Pat
   namespace internal = CGAL::Point_set_skeletonization_3::internal;
   const Box_tree tree = tree_of(patches);
   const std::vector<double> confidence(patches.size(), 1);
+  internal::Gaussians gaussians;
+  std::vector<internal::Vector3> means;
+  for(const Patch& patch : patches) {
+    gaussians.push_back({patch.weight, patch.mean, internal::Matrix3::Zero()});
+    means.push_back(patch.mean);
+  }
   return {internal::Surface_options(),
           patches,
-          patches.front().spacing,
+          gaussians,
           tree,
           confidence,
           internal::Winding_number(patches, tree, internal::Concurrency::sequential),
-          internal::Visible_surface(patches, confidence, tree)};
+          internal::Visible_surface(patches, confidence, tree),
+          means,
+          internal::Patch_groups(patches.size())};
 }
 
 } // namespace surfaces

@@ -9,7 +9,6 @@
 #include <CGAL/Bbox_3.h>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -29,6 +28,20 @@ struct Medial_sample_3
   typename GeomTraits::FT radius = 0;
 };
 
+/// A point of the surface: a component of the mixture that is no outlier.
+template <typename GeomTraits>
+struct Medial_surface_point_3
+{
+  typename GeomTraits::Point_3 point{0, 0, 0};    ///< As measured.
+  typename GeomTraits::Point_3 denoised{0, 0, 0}; ///< The same without noise.
+
+  /// Number of points of the cloud.
+  typename GeomTraits::FT weight = 1;
+
+  /// The sample whose patch it is a part of, by its position in `Medial_samples_3::samples`.
+  std::size_t sample = 0;
+};
+
 /// The samples of a shape, from `compute_medial_samples()` and for `link_medial_samples()`; data
 /// only.
 template <typename GeomTraits>
@@ -42,9 +55,9 @@ struct Medial_samples_3
   /// Strength of the noise removed from the patches, in [0, 1]; 0 if they were not moved.
   typename GeomTraits::FT noise = 0;
 
-  /// Surface points before denoising, each with the position of its sample in `samples`; in any
-  /// order. If there are none, the means of the patches are used.
-  std::vector<std::pair<typename GeomTraits::Point_3, std::size_t>> surface;
+  /// The points that the patches consist of, in any order. Patches are adjacent where their points
+  /// are. If there are none, each patch is one point, its mean.
+  std::vector<Medial_surface_point_3<GeomTraits>> surface;
 };
 
 } // namespace CGAL

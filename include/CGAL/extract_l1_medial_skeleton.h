@@ -40,8 +40,8 @@ namespace CGAL {
 ///       \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
 ///   \cgalNamedParamsEnd
 ///
-/// O(n) for reading the points three times; the rest is O(m log m) in practice for m <= 6000 grid
-/// cells.
+/// O(n) for reading the points three times; the rest is O(m log m) in practice for m grid cells, one
+/// for two points, at most 131 072.
 ///
 /// \returns `false` if the callback cancelled
 /// \throws std::invalid_argument if a coordinate is not finite; the message names the point

@@ -24,17 +24,18 @@ namespace CGAL {
 /// along local separators; separators and pieces become a graph, which is pruned and centred.
 /// O(n log n) in practice.
 ///
-/// \param samples from `compute_medial_samples()` or elsewhere: of each sample the mean and the
-///        weight of its patch, its point and its radius are used
+/// \param samples from `compute_medial_samples()` or elsewhere: of each sample its point and
+///        its radius are used, and the mean and the weight of its patch if `samples.surface` is empty
 /// \param skeleton replaced by the result; left untouched if the callback cancels or on an
 ///        exception. The `indices` of a vertex, if it has them, are the positions of its samples in
 ///        `samples.samples`
 /// \param np `callback`, `single_component`; see `extract_l1_medial_skeleton()`
 /// \returns `false` if the callback cancelled
-/// \throws std::invalid_argument if a mean is not finite; the message names the sample as a point
+/// \throws std::invalid_argument if a mean is not finite, or a point of the surface; the message
+///         names it by its position
 /// \throws std::length_error if the samples outnumber the values of an index
-/// \pre `samples.noise` is in [0, 1], and the indices in `samples.surface` are less than the number
-///   of samples
+/// \pre `samples.noise` is in [0, 1], and `samples.surface` is empty or has points of each sample,
+///   and of no other
 template <typename ConcurrencyTag = Sequential_tag, typename GeomTraits, typename SkeletonGraph,
           typename NamedParameters = parameters::Default_named_parameters>
 bool link_medial_samples(const Medial_samples_3<GeomTraits>& samples, SkeletonGraph& skeleton,
@@ -45,9 +46,7 @@ bool link_medial_samples(const Medial_samples_3<GeomTraits>& samples, SkeletonGr
                                    internal_np::single_component_t>::value,
                 "unknown named parameter: known are callback, single_component");
   CGAL_precondition(samples.noise >= 0 && samples.noise <= 1);
-  CGAL_precondition(
-    std::all_of(samples.surface.begin(), samples.surface.end(),
-                [&](const auto& p) { return p.second < samples.samples.size(); }));
+  CGAL_precondition(internal::has_points_of_all_samples(samples));
   internal::Skeletonizer skeletonizer(internal::concurrency_of<ConcurrencyTag>(),
                                       internal::is_single_component(np));
   skeletonizer.set_samples(internal::to_plain(samples));

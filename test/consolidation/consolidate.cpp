@@ -39,7 +39,7 @@ Consolidated_mixture consolidated(const Gaussians& mixture,
 
 bool is_outlier(const Consolidated_mixture& mixture, std::size_t i)
 {
-  return mixture.patch_of_component[i] == Consolidated_mixture::none;
+  return mixture.merged_into[i] == Consolidated_mixture::none;
 }
 
 /// Values of what is no outlier.
@@ -47,8 +47,8 @@ std::vector<double> kept(const Consolidated_mixture& mixture,
                          const std::function<double(const Vector3&)>& value)
 {
   std::vector<double> result;
-  for(const Gaussian& patch : mixture.patches)
-    result.push_back(value(patch.mean));
+  for(const Gaussian& component : mixture.components)
+    result.push_back(value(component.mean));
   return result;
 }
 
@@ -79,10 +79,10 @@ TEST_CASE("Where there is no noise nothing moves")
     const Gaussians sphere = components(2000, [&] { return random.direction(); });
     const Consolidated_mixture surface = consolidated(sphere);
     CHECK(surface.noise == 0);
-    REQUIRE(surface.patch_of_component.size() == sphere.size());
+    REQUIRE(surface.merged_into.size() == sphere.size());
     for(std::size_t i = 0; i < sphere.size(); ++i)
       if(!is_outlier(surface, i))
-        REQUIRE(surface.patches[surface.patch_of_component[i]].mean == sphere[i].mean);
+        REQUIRE(surface.components[surface.merged_into[i]].mean == sphere[i].mean);
   }
 }
 
@@ -131,11 +131,11 @@ TEST_CASE("Points far from all others are outliers")
     sphere.push_back({1, Vector3(2, 0, 0), Matrix3::Zero()});
     const Consolidated_mixture surface = consolidated(sphere);
     CHECK(is_outlier(surface, sphere.size() - 1));
-    CHECK(surface.patches.size() > sphere.size() - 20);
+    CHECK(surface.components.size() > sphere.size() - 20);
   }
 }
 
-TEST_CASE("Of what is kept, the patches, the tree over them and their neighbours belong together")
+TEST_CASE("Of what is kept, the components and their neighbours belong together")
 {
   for(const double sigma : {0.0, 0.03}) { // kept as they were, and moved
     CAPTURE(sigma);
@@ -147,22 +147,21 @@ TEST_CASE("Of what is kept, the patches, the tree over them and their neighbours
     CHECK(is_outlier(surface, 0));
     CHECK((surface.noise > 0) == (sigma > 0));
     double weight = 0, left = 0;
-    for(const Gaussian& patch : surface.patches)
-      weight += patch.weight;
+    for(const Gaussian& component : surface.components)
+      weight += component.weight;
     for(std::size_t i = 0; i < sphere.size(); ++i)
       left += is_outlier(surface, i) ? 0 : sphere[i].weight;
     CHECK(weight == Approx(left));
-    CHECK(surface.tree.by_index(surface.tree.positions()) == means_of(surface.patches));
-    REQUIRE(surface.neighbors.size() == surface.patches.size());
+    REQUIRE(surface.neighbors.size() == surface.components.size());
     const K_nearest_neighbors expected =
-      k_nearest_neighbors(surface.tree, surface.neighbors.k(), Concurrency::sequential);
+      k_nearest_neighbors(Box_tree(means_of(surface.components)), surface.neighbors.k(), Concurrency::sequential);
     for(std::size_t i = 0; i < expected.size(); ++i)
       for(std::size_t k = 0; k < expected.k(); ++k)
         REQUIRE(surface.neighbors[i].begin()[k].index == expected[i].begin()[k].index);
   }
 }
 
-TEST_CASE("Components that come to lie in one cell become one patch, with their weight")
+TEST_CASE("Components that come to lie in one cell are merged, with their weight")
 {
   constexpr double sigma = 0.03;
   Random random(2);
@@ -173,14 +172,45 @@ TEST_CASE("Components that come to lie in one cell become one patch, with their 
   const Consolidated_mixture apart = consolidated(plane);
   const Consolidated_mixture merged =
     consolidate(plane, 0.05, Consolidation_options(), Concurrency::sequential);
-  CHECK(merged.patches.size() < apart.patches.size() / 2);
+  CHECK(merged.components.size() < apart.components.size() / 2);
   const auto weight = [](const Consolidated_mixture& mixture) {
     double sum = 0;
-    for(const Gaussian& patch : mixture.patches)
-      sum += patch.weight;
+    for(const Gaussian& component : mixture.components)
+      sum += component.weight;
     return sum;
   };
   CHECK(weight(merged) == Approx(weight(apart)));
+}
+
+TEST_CASE("A mixture much finer than its noise is coarsened to it, whatever its resolution")
+{
+  constexpr double sigma = 0.04;
+  for(unsigned seed = 0; seed < seeds; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    std::vector<double> numbers;
+    for(const std::size_t size : {4000u, 32000u}) {
+      const Gaussians sphere = components(
+        size, [&] { return Vector3((1 + sigma * random.normal()) * random.direction()); });
+      const double cell_size = std::sqrt(4 * CGAL_PI / static_cast<double>(size));
+      const Consolidated_mixture surface =
+        consolidate(sphere, cell_size, Consolidation_options(), Concurrency::sequential);
+      CHECK(surface.cell_size >= cell_size);
+      double radius = 0; // planes fitted to a sphere are inside of it
+      for(double r : kept(surface, [](const Vector3& p) { return p.norm(); }))
+        radius += r / static_cast<double>(surface.components.size());
+      const auto off = [radius](const Vector3& p) { return p.norm() - radius; };
+      CHECK(root_mean_square(kept(surface, off)) < sigma / 2);
+      double weight = 0, left = 0;
+      for(const Gaussian& component : surface.components)
+        weight += component.weight;
+      for(std::size_t i = 0; i < size; ++i)
+        left += is_outlier(surface, i) ? 0 : sphere[i].weight;
+      CHECK(weight == Approx(left));
+      numbers.push_back(static_cast<double>(surface.components.size()));
+    }
+    CHECK(numbers[1] < 4 * numbers[0]); // of eight times as many points
+  }
 }
 
 TEST_CASE("Any number of threads takes the same noise off")
@@ -194,8 +224,8 @@ TEST_CASE("Any number of threads takes the same noise off")
     for_threads([&](Concurrency concurrency) {
       const Consolidated_mixture surface = consolidated(sphere, concurrency);
       CHECK(surface.noise == expected.noise);
-      CHECK(surface.patch_of_component == expected.patch_of_component);
-      CHECK(means_of(surface.patches) == means_of(expected.patches));
+      CHECK(surface.merged_into == expected.merged_into);
+      CHECK(means_of(surface.components) == means_of(expected.components));
     });
   }
 }

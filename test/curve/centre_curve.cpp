@@ -61,7 +61,7 @@ struct Limb
 
   void centre()
   {
-    centre_curve(graph, surface, spacing, anywhere, options, Concurrency::sequential);
+    centre_curve(graph, surface, anywhere, options, Concurrency::sequential);
   }
 };
 
@@ -71,7 +71,7 @@ Limb curve(const Axis& axis, double length, bool closed, const std::function<Vec
   const auto size = static_cast<std::size_t>(length / spacing);
   for(std::size_t v = 0; v < size; ++v) {
     const double s = length * static_cast<double>(v) / static_cast<double>(closed ? size : size - 1);
-    limb.graph.vertices.push_back({axis(s).origin + off(s), 1, false});
+    limb.graph.vertices.push_back({axis(s).origin + off(s), 1, spacing, false});
     if(v > 0)
       limb.graph.edges.emplace_back(v - 1, v);
   }
@@ -250,7 +250,9 @@ TEST_CASE("What lies beside the plane of a cut through a bend counts as if it we
     Limb limb = curve(bent(ring), length, true, nowhere);
     for(int copies = 0; copies < 4; ++copies)
       sample_tube(limb, bent(ring), length, {}, random);
-    centre_curve(limb.graph, limb.surface, thick_cut, anywhere, options, Concurrency::sequential);
+    for(auto& vertex : limb.graph.vertices)
+      vertex.resolution = thick_cut;
+    limb.centre();
     CHECK(mean_distance(limb, [](const Vector3& p) { return p.head<2>().norm() - ring; }) ==
           Approx(0).margin(0.02));
   }
@@ -341,7 +343,7 @@ TEST_CASE("Nothing is drawn out of the shape")
       inside.push_back(p.x() > wall);
     return inside;
   };
-  centre_curve(limb.graph, limb.surface, spacing, behind_wall, options, Concurrency::sequential);
+  centre_curve(limb.graph, limb.surface, behind_wall, options, Concurrency::sequential);
   CHECK(outside() == 0);
   limb.centre();
   CHECK(outside() > 0);
@@ -356,7 +358,7 @@ TEST_CASE("Where nothing is known a curve stays")
   CHECK(limb.graph.vertices.back().position.z() == Approx(10));
 
   Limb point;
-  point.graph.vertices.push_back({Vector3(1, 2, 3), 0, false});
+  point.graph.vertices.push_back({Vector3(1, 2, 3), 0, spacing, false});
   point.surface = {{Vector3(1, 2, 4), Vector3(1, 3, 3), Vector3(0, 2, 3)}};
   point.centre();
   CHECK(point.graph.vertices.front().position.isApprox(Vector3(1, 2, 3)));
@@ -373,12 +375,12 @@ TEST_CASE("Centring commutes with scaling")
   sample_tube(limb, straight, length, {}, random);
   Limb small = limb;
   for(auto& vertex : small.graph.vertices)
-    vertex = {scale * vertex.position, scale * vertex.radius, false};
+    vertex = {scale * vertex.position, scale * vertex.radius, scale * vertex.resolution, false};
   for(auto& points : small.surface)
     for(Vector3& p : points)
       p *= scale;
   limb.centre();
-  centre_curve(small.graph, small.surface, scale * spacing, anywhere, options,
+  centre_curve(small.graph, small.surface, anywhere, options,
                Concurrency::sequential);
   for(std::size_t v = 0; v < limb.graph.vertices.size(); ++v)
     CHECK((small.graph.vertices[v].position - scale * limb.graph.vertices[v].position).norm() <
@@ -395,7 +397,7 @@ TEST_CASE("Any number of threads centres in the same way")
   expected.centre();
   for_threads([&](Concurrency concurrency) {
     Limb other = limb;
-    centre_curve(other.graph, other.surface, spacing, anywhere, options, concurrency);
+    centre_curve(other.graph, other.surface, anywhere, options, concurrency);
     for(std::size_t v = 0; v < other.graph.vertices.size(); ++v)
       REQUIRE(other.graph.vertices[v].position == expected.graph.vertices[v].position);
   });

@@ -84,7 +84,7 @@ public:
   std::size_t add_vertex(const Vector3& position, const Vector3& axis, double radius, int ring = 12)
   {
     const std::size_t v = quotient.graph.vertices.size();
-    quotient.graph.vertices.push_back({position, radius, false});
+    quotient.graph.vertices.push_back({position, radius, 0, false});
     const Vector3 e1 = axis.unitOrthogonal(), e2 = axis.normalized().cross(e1);
     for(int k = 0; k < ring; ++k) {
       const Vector3 direction = surfaces::around(2 * CGAL_PI * k / ring);
@@ -111,7 +111,13 @@ public:
     return from;
   }
 
-  Pruned_quotient pruned() const { return prune(quotient, patches, Curve_options()); }
+  Pruned_quotient pruned() const
+  {
+    std::vector<Vector3> means;
+    for(const Patch& patch : patches)
+      means.push_back(patch.mean);
+    return prune(quotient, patches, means, Patch_groups(patches.size()), Curve_options());
+  }
 };
 
 std::size_t number_of_ends(const Skeleton_graph& graph)
@@ -221,7 +227,7 @@ TEST_CASE("The middle of samples is not drawn away by one that went astray")
   std::vector<std::size_t> members(samples.size());
   for(std::size_t i = 0; i < members.size(); ++i)
     members[i] = i;
-  CHECK(middle(members, samples).position.norm() < 0.2); // the mean is off by 5
+  CHECK(middle(members, Patches(samples.size()), samples).position.norm() < 0.2); // the mean is off by 5
 }
 
 TEST_CASE("Components with next to no points are stray")

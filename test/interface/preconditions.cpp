@@ -117,7 +117,7 @@ TEST_CASE("Options out of their range violate a precondition")
   check_refused([](Published_options& o) { o.branches.b_min = 1; });
   check_refused([](Published_options& o) { o.branches.d_max = 0; });
   Grid_options grid;
-  grid.minimum_patches = grid.maximum_patches + 1;
+  grid.minimum_cells = grid.maximum_cells + 1;
   CHECK_THROWS_AS(grid.check(), CGAL::Precondition_exception);
 }
 
@@ -165,7 +165,9 @@ TEST_CASE("Samples that cannot be violate a precondition")
   samples.noise = 1.5;
   CHECK_THROWS_AS(CGAL::link_medial_samples(samples, skeleton), CGAL::Precondition_exception);
   samples.noise = 0;
-  samples.surface.emplace_back(Kernel::Point_3(0, 0, 0), 2); // of a sample that is not there
+  samples.surface.resize(2); // none of the second sample
+  CHECK_THROWS_AS(CGAL::link_medial_samples(samples, skeleton), CGAL::Precondition_exception);
+  samples.surface.back().sample = 2; // of a sample that is not there
   CHECK_THROWS_AS(CGAL::link_medial_samples(samples, skeleton), CGAL::Precondition_exception);
 }
 

@@ -143,13 +143,22 @@ TEST_CASE("Without noise the means of patches are those of the components they a
   const Mixture mixture = CGAL::fit_gaussian_mixture(cloud());
   const Samples samples = samples_of(cloud());
   REQUIRE(samples.noise == 0);
-  REQUIRE(samples.surface.size() == samples.samples.size());
-  for(const auto& [point, sample] : samples.surface) {
-    const Point& mean = samples.samples[sample].patch.mean;
-    REQUIRE(CGAL::squared_distance(point, mean) < 1e-20);
-    const auto is_it = [&](const auto& c) { return CGAL::squared_distance(c.mean, mean) < 1e-20; };
-    const auto& components = mixture.levels.front();
+  const auto& components = mixture.levels.front();
+  std::vector<double> weight(samples.samples.size(), 0);
+  std::vector<shapes::Vector> sum(samples.samples.size(), shapes::Vector::Zero());
+  for(const auto& p : samples.surface) {
+    REQUIRE(p.point == p.denoised);
+    const auto is_it = [&](const auto& c) {
+      return CGAL::squared_distance(c.mean, p.point) < 1e-20;
+    };
     REQUIRE(std::any_of(components.begin(), components.end(), is_it));
+    weight[p.sample] += p.weight;
+    sum[p.sample] += p.weight * shapes::to_vector(p.point);
+  }
+  for(std::size_t i = 0; i < samples.samples.size(); ++i) {
+    REQUIRE(weight[i] == Approx(samples.samples[i].patch.weight));
+    const shapes::Vector mean = shapes::to_vector(samples.samples[i].patch.mean);
+    REQUIRE((sum[i] / weight[i] - mean).norm() < 1e-10);
   }
 }
 

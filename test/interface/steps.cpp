@@ -114,7 +114,7 @@ TEST_CASE("Every step leaves what the next one reads")
   }
   CHECK(weight <= Approx(static_cast<double>(points.size())));
   for(const auto& p : samples.surface)
-    REQUIRE(p.second < samples.samples.size());
+    REQUIRE(p.sample < samples.samples.size());
 
   REQUIRE(steps.link());
   const Skeleton skeleton = extracted(steps);

@@ -132,14 +132,14 @@ TEST_CASE("Every level keeps mass, mean and covariance of the points")
   }
 }
 
-TEST_CASE("A grid has at most the wanted number of patches and never stops far below it")
+TEST_CASE("A grid has at most the wanted number of cells and never stops far below it")
 {
   for(std::size_t size : {100u, 3000u, 10000u, 60000u}) {
     CAPTURE(size);
     const Grid_options options;
-    const std::size_t patches = levels_of(cloud(size, 2)).front().cells.size();
-    CHECK(patches <= options.patches(size));
-    CHECK(patches >= std::min(size / 10, options.patches(size) / 3));
+    const std::size_t cells = levels_of(cloud(size, 2)).front().cells.size();
+    CHECK(cells <= options.cells(size));
+    CHECK(cells >= std::min(size / 10, options.cells(size) / 3));
   }
 }
 
@@ -244,18 +244,18 @@ TEST_CASE("The order of the points changes nothing but rounding")
   }
 }
 
-// Sums are split into parts above 32 768 points, and the grid gets coarser above 192 000 cells: what
-// is below both, between them and above both.
+// Sums are split into parts above 16 points a cell, and the grid that is read first gets coarser above
+// four cells a wanted one.
 TEST_CASE("Any number of threads gives the same bits, of clouds of any size")
 {
   for(const std::size_t size : {5000u, 100000u, 250000u})
-    for(const std::size_t patches : {200u, 6000u}) {
-      CAPTURE(size, patches);
+    for(const std::size_t cells : {200u, 6000u, 100000u}) {
+      CAPTURE(size, cells);
       const Points points = cloud(size, 7); // nearly every point has a cell of the finest grid
       Grid_options options;
-      options.minimum_patches = options.maximum_patches = patches;
+      options.minimum_cells = options.maximum_cells = cells;
       const Grid_mixture expected = mixture_of(points, options);
-      CHECK(expected.levels.front().cells.size() <= patches);
+      CHECK(expected.levels.front().cells.size() <= cells);
       check_equal(total(expected.levels.front().gaussians()), total(points));
       for_threads([&](Concurrency concurrency) {
         const Grid_mixture mixture = mixture_of(points, options, concurrency);
@@ -292,7 +292,7 @@ TEST_CASE("Reading a large cloud can be cancelled at any report")
 TEST_CASE("As few patches as a grid around the origin can have")
 {
   Grid_options options;
-  options.minimum_patches = options.maximum_patches = 8;
+  options.minimum_cells = options.maximum_cells = 8;
   CHECK(levels_of(cloud(1000, 9), options).front().cells.size() <= 8);
 }
 

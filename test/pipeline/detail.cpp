@@ -30,7 +30,7 @@ Graph_counts counts_of(const shapes::Known_shape& shape, std::size_t size, unsig
 
 } // namespace
 
-// The limbs at the tips have a radius of 1.3 and 1.6 distances between points.
+// The limbs at the tips have a radius of 1.3 and 2.1 distances between points.
 TEST_CASE("A tree has all its tips, and nothing else")
 {
   struct Tree
@@ -38,7 +38,7 @@ TEST_CASE("A tree has all its tips, and nothing else")
     std::size_t points;
     int levels;
   };
-  constexpr Tree trees[] = {{18000, 5}, {60000, 6}};
+  constexpr Tree trees[] = {{18000, 5}, {100000, 6}};
   constexpr unsigned int seeds[] = {1, 2, 3};
   for(const Tree& tree : trees)
     for(const unsigned int seed : seeds) {

@@ -54,7 +54,7 @@ class Solid_torus
 public:
   Closed_curve curve(const std::vector<Vector3>& points) const
   {
-    return Closed_curve(points, surface_.spacing, surface_);
+    return Closed_curve(points, surface_.patches.front().spacing, surface_);
   }
 
   bool is_contractible(const std::vector<Vector3>& points) const

@@ -185,9 +185,9 @@ TEST_CASE("A limb that is inside out is turned around")
 TEST_CASE("Two sheets that face each other through the air are no neighbours, if that is sure")
 {
   Patches patches(2);
-  patches[0] = {Vector3(0, 0, 0), 1, 1, Vector3(0, 0, 1), 1, 1, {1}};
-  patches[1] = {Vector3(0.1, 0, 1), 1, 1, Vector3(0, 0, -1), 1, 1, {0}};
-  CHECK(face_through_air(patches[0], patches[1], options));
+  patches[0] = {Vector3(0, 0, 0), 1, 1, 1, Vector3(0, 0, 1), 1, false, 1, {1}};
+  patches[1] = {Vector3(0.1, 0, 1), 1, 1, 1, Vector3(0, 0, -1), 1, false, 1, {0}};
+  CHECK(face_each_other(patches[0], patches[1], options));
   CHECK(are_opposite_sheets(patches[0], patches[1], options));
   Patches doubtful = patches;
   part_facing_patches(patches, {1, 1}, options, Concurrency::sequential);
@@ -195,10 +195,13 @@ TEST_CASE("Two sheets that face each other through the air are no neighbours, if
   part_facing_patches(doubtful, {1, 0}, options, Concurrency::sequential);
   CHECK((doubtful[0].neighbors.size() == 1 && doubtful[1].neighbors.size() == 1));
 
-  // The two sides of a limb see each other through the shape instead.
+  // The two sides of a limb face each other through the shape.
   for(Patch& patch : patches)
     patch.normal = -patch.normal;
-  CHECK_FALSE(face_through_air(patches[0], patches[1], options));
+  CHECK(face_each_other(patches[0], patches[1], options));
+  // On a crease one is above the other, and the other below it.
+  patches[1].normal = Vector3(std::sqrt(0.5), 0, -std::sqrt(0.5));
+  CHECK_FALSE(face_each_other(patches[0], patches[1], options));
 }
 
 TEST_CASE("A torus is read as one oriented surface, by any number of threads")
@@ -207,12 +210,13 @@ TEST_CASE("A torus is read as one oriented surface, by any number of threads")
   const Box_tree tree(means_of(components));
   const K_nearest_neighbors nearest =
     k_nearest_neighbors(tree, surface_neighbors + 1, Concurrency::sequential);
+  const Patches fine = estimate_patches(components, nearest, options, Concurrency::sequential);
+  const Patch_groups groups(components.size());
   const Surface expected =
-    build_surface(components, tree, nearest, options, Concurrency::sequential);
+    build_surface(components, fine, groups, options, Concurrency::sequential);
   const Patches right = surfaces::torus.patches();
   for_threads([&](Concurrency concurrency) {
-    const Surface surface = build_surface(components, tree, nearest, options, concurrency);
-    CHECK(surface.spacing == expected.spacing);
+    const Surface surface = build_surface(components, fine, groups, options, concurrency);
     CHECK(surface.confidence == expected.confidence);
     for(std::size_t i = 0; i < right.size(); ++i) {
       REQUIRE(surface.patches[i].normal == expected.patches[i].normal);

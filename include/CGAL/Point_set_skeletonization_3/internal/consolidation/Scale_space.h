@@ -22,7 +22,7 @@ namespace internal {
 /// Radii of the windows, ascending.
 struct Window_radii
 {
-  static constexpr std::size_t size = 6;
+  static constexpr std::size_t size = 12;
 
   /// From two spacings, the narrowest window that shows a plane, in steps of 1.4.
   explicit Window_radii(double spacing)
@@ -44,7 +44,7 @@ struct Moving_mixture
   std::vector<bool> is_outlier;
 };
 
-/// A mixture in windows of six radii, at one state of its positions.
+/// A mixture in windows of twelve radii, at one state of its positions.
 class Scale_space
 {
 public:

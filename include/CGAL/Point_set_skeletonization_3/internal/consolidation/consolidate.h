@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -52,6 +53,10 @@ struct Consolidation_options
   /// transition on, narrower windows are tried.
   double plane = 0.1;
 
+  /// Radii of the window, in (0, 1); width of the cells of a noisy mixture. What is finer than the
+  /// noise is no detail.
+  double resolution = 0.25;
+
   /// Thickness over that of the noise: up to `drowned` a limb is as thin as the noise, from
   /// `resolved` on it is not. The radius of a limb is that of the noise at 1.2, twice that at 1.7.
   double drowned = 1.15, resolved = 1.65;
@@ -63,6 +68,7 @@ struct Consolidation_options
     CGAL_precondition(isolated > 1 && apart >= 1 && sparse > 0);
     CGAL_precondition(thin > 0 && thin < 1);
     CGAL_precondition(plane >= 0);
+    CGAL_precondition(resolution > 0 && resolution < 1);
     CGAL_precondition(drowned > 0 && drowned < resolved);
   }
 
@@ -76,21 +82,22 @@ struct Consolidation_options
     visit("sparse", sparse);
     visit("apart", apart);
     visit("plane", plane);
+    visit("resolution", resolution);
     visit("drowned", drowned);
     visit("resolved", resolved);
   }
 };
 
-/// A mixture without noise and outliers: patches of a surface.
+/// A mixture without noise and outliers: its components are on a surface.
 struct Consolidated_mixture
 {
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-  Gaussians patches;
-  std::vector<std::size_t> patch_of_component; ///< `none` for outliers.
+  Gaussians components;
+  std::vector<std::size_t> merged_into; ///< For each component before; `none` for outliers.
   double noise = 0;              ///< Strength of the noise removed, in [0, 1].
-  Box_tree tree;                 ///< Over the means of the patches.
-  K_nearest_neighbors neighbors; ///< Of the patches, each first itself.
+  double cell_size = 0;          ///< Edge length of the cells of the components; 0: no cells.
+  K_nearest_neighbors neighbors; ///< Of the components, each first itself.
 };
 
 /// Moves the components of a mixture to the surface that they scatter around, and drops outliers.
@@ -111,17 +118,24 @@ public:
       radii_(spacing_), moving_{mixture, means_of(mixture), isolated_components()}
   {}
 
-  /// Returns the patches. Components that move into one cell of this edge length are merged. To be
-  /// called once.
+  /// Measures the noise. Returns the radius of the window that it needs; 0 if there is none, or if
+  /// the narrowest window does.
+  double measure()
+  {
+    space_.emplace(initial_scale_space());
+    noise_ = measure_noise(*space_, moving_, nearest_, radii_, options_.noise, concurrency_);
+    return noise_.strength > 0 && noise_.size > 0 ? radii_[noise_.size] : 0;
+  }
+
+  /// Returns the components left. Those that move into one cell of this edge length are merged. To
+  /// be called once. \pre the noise is measured
   Consolidated_mixture run(double cell_size)
   {
-    Scale_space space = initial_scale_space();
-    noise_ = measure_noise(space, moving_, nearest_, radii_, options_.noise, concurrency_);
     if(noise_.strength > 0) {
-      take_noise_off(std::move(space));
+      take_noise_off(std::move(*space_));
       return merged(cell_size);
     }
-    return kept(without_thin_components(std::move(space)));
+    return kept(without_thin_components(std::move(*space_)), cell_size);
   }
 
 private:
@@ -173,9 +187,12 @@ private:
   {
     // Densities are measured again only where a dropped component was in the window.
     std::vector<double> densities = noise_.densities;
+    std::size_t widest = 0;
     for(std::size_t i = 0; i < densities.size(); ++i)
-      if(size_for(i) > 0) // measured in the narrowest window only
+      if(const std::size_t size = size_for(i); size > 0) { // measured in the narrowest window only
         densities[i] = unknown;
+        widest = std::max(widest, size);
+      }
     for(int pass = 0; pass < most_passes; ++pass) {
       measure_densities(space, densities);
       const std::vector<std::size_t> dropped = drop_thin(space, densities);
@@ -183,7 +200,7 @@ private:
         break;
       space = scale_space();
       for(std::size_t i : dropped)
-        forget_densities_around(i, space, densities);
+        forget_densities_around(i, space, widest, densities);
     }
     return space.tree();
   }
@@ -271,13 +288,14 @@ private:
     });
   }
 
-  /// Forgets the densities of components whose windows contained a dropped one.
-  void forget_densities_around(std::size_t component, const Scale_space& space,
+  /// Forgets the densities of components whose windows, of up to the size `widest`, contained a
+  /// dropped one.
+  void forget_densities_around(std::size_t component, const Scale_space& space, std::size_t widest,
                                std::vector<double>& densities) const
   {
     // In a coarsened window it is part of a component up to a cell away.
     constexpr double sight = Window_view::reach + 0.6; // radii; 0.6: diagonal of a cell of 1/3
-    const double farthest = sight * radii_[Window_radii::size - 1];
+    const double farthest = sight * radii_[widest];
     space.tree().visit_within(moving_.positions[component], farthest,
                               [&](std::size_t k, double squared_distance) {
                                 const std::size_t i = space.kept()[k];
@@ -330,25 +348,25 @@ private:
     return dropped;
   }
 
-  /// One patch per remaining component, without moves; `tree` is over them.
-  Consolidated_mixture kept(const Box_tree& tree) const
+  /// The remaining components, without moves; `tree` is over them.
+  Consolidated_mixture kept(const Box_tree& tree, double cell_size) const
   {
     Consolidated_mixture result;
-    result.tree = tree;
-    result.patch_of_component.assign(spacings_.size(), Consolidated_mixture::none);
+    result.cell_size = cell_size;
+    result.merged_into.assign(spacings_.size(), Consolidated_mixture::none);
     for(std::size_t i = 0; i < spacings_.size(); ++i)
       if(!moving_.is_outlier[i]) {
-        result.patch_of_component[i] = result.patches.size();
-        result.patches.push_back(
+        result.merged_into[i] = result.components.size();
+        result.components.push_back(
           {moving_.mixture[i].weight, moving_.positions[i], Matrix3::Zero()});
       }
-    result.neighbors = result.patches.size() == spacings_.size()
+    result.neighbors = result.components.size() == spacings_.size()
                          ? nearest_
-                         : renumbered(nearest_, result.patch_of_component, tree, concurrency_);
+                         : renumbered(nearest_, result.merged_into, tree, concurrency_);
     return result;
   }
 
-  /// The same after moves: components in one cell are one patch.
+  /// The same after moves: components in one cell are merged.
   Consolidated_mixture merged(double cell_size) const
   {
     std::vector<std::size_t> left;
@@ -361,12 +379,13 @@ private:
     const Merged_gaussians merged = merged_by_cell(points, cell_size);
     Consolidated_mixture result;
     result.noise = noise_.strength;
-    result.patches = merged.gaussians;
-    result.patch_of_component.assign(spacings_.size(), Consolidated_mixture::none);
+    result.cell_size = cell_size;
+    result.components = merged.gaussians;
+    result.merged_into.assign(spacings_.size(), Consolidated_mixture::none);
     for(std::size_t k = 0; k < left.size(); ++k)
-      result.patch_of_component[left[k]] = merged.merged_into[k];
-    result.tree = Box_tree(means_of(result.patches), concurrency_);
-    result.neighbors = k_nearest_neighbors(result.tree, surface_neighbors + 1, concurrency_);
+      result.merged_into[left[k]] = merged.merged_into[k];
+    const Box_tree tree(means_of(result.components), concurrency_);
+    result.neighbors = k_nearest_neighbors(tree, surface_neighbors + 1, concurrency_);
     return result;
   }
 
@@ -379,19 +398,37 @@ private:
   Window_radii radii_;
   Moving_mixture moving_;
   Noise noise_;
+  std::optional<Scale_space> space_; ///< Before anything moves.
 };
 
 /// Part 2a: returns the mixture without noise and outliers. Components that move into one cell of
-/// edge length `cell_size` become one patch; 0: none do. O(n log n). \pre there is a component
+/// edge length `cell_size` are merged, or of a coarser grid if the noise is much wider than a cell;
+/// 0: none are. O(n log n). \pre there is a component
 inline Consolidated_mixture consolidate(const Gaussians& mixture, double cell_size,
                                         const Consolidation_options& options,
                                         Concurrency concurrency)
 {
   options.check();
-  const Box_tree tree(means_of(mixture), concurrency);
-  const K_nearest_neighbors nearest =
-    k_nearest_neighbors(tree, surface_neighbors + 1, concurrency);
-  return Consolidation(mixture, tree, nearest, options, concurrency).run(cell_size);
+  const auto measured = [&](const Gaussians& components, const auto& then) {
+    const Box_tree tree(means_of(components), concurrency);
+    const K_nearest_neighbors nearest =
+      k_nearest_neighbors(tree, surface_neighbors + 1, concurrency);
+    Consolidation consolidation(components, tree, nearest, options, concurrency);
+    return then(consolidation, options.resolution * consolidation.measure());
+  };
+  return measured(mixture, [&](Consolidation& fine, double coarser) {
+    constexpr double worthwhile = 1.2;
+    if(!(cell_size > 0 && coarser > worthwhile * cell_size))
+      return fine.run(cell_size);
+    const Merged_gaussians merged = merged_by_cell(mixture, coarser);
+    Consolidated_mixture result = measured(
+      merged.gaussians, [&](Consolidation& coarse, double) { return coarse.run(coarser); });
+    std::vector<std::size_t> merged_into;
+    for(std::size_t i : merged.merged_into)
+      merged_into.push_back(result.merged_into[i]);
+    result.merged_into = std::move(merged_into);
+    return result;
+  });
 }
 
 } // namespace internal

@@ -22,20 +22,23 @@ struct Curve_options
   /// finger or toe.
   double slenderness = 1.25;
 
-  /// Least number of patches of a branch, a ring around a limb; fewer are outliers that stick out
-  /// or bridge the gap between two limbs.
-  double least_patches = 6;
+  /// Least number of surface points of a branch, a ring around a limb; fewer are outliers that
+  /// stick out or bridge the gap between two limbs.
+  double least_points = 6;
 
-  /// Radii; widest gap that is bridged along a limb: twice its thickness. >= 0.
+  /// Radii; widest gap between points that is bridged along a limb: twice its thickness. >= 0.
   double widest_gap = 4;
 
-  /// Spacings; limbs of smaller radius have no reliable radius or direction, and count as this
+  /// Resolutions; limbs of smaller radius have no reliable radius or direction, and count as this
   /// thick for gaps in any direction. >= 0.
   double thin_limb = 2;
 
   /// Least cosine between the direction of a tip and the gap, in (0, 1]: 37 degrees, which limbs
   /// bend by at most.
   double aligned = 0.8;
+
+  /// Radii; distance of the vertices of the result where the surface is known finely enough, > 0.
+  double step = 0.3;
 
   /// Radii; half the thickness of the slab whose points are one cross-section, > 0.
   double half_width = 0.25;
@@ -48,9 +51,9 @@ struct Curve_options
   void check() const
   {
     CGAL_precondition(stray_share >= 0 && stray_share < 1);
-    CGAL_precondition(slenderness >= 0 && least_patches >= 0);
+    CGAL_precondition(slenderness >= 0 && least_points >= 0);
     CGAL_precondition(widest_gap >= 0 && thin_limb >= 0 && aligned > 0 && aligned <= 1);
-    CGAL_precondition(half_width > 0 && stiffness >= 0);
+    CGAL_precondition(step > 0 && half_width > 0 && stiffness >= 0);
   }
 
   /// Calls `visit(name, value)` for every option.
@@ -59,10 +62,11 @@ struct Curve_options
   {
     visit("stray_share", stray_share);
     visit("slenderness", slenderness);
-    visit("least_patches", least_patches);
+    visit("least_points", least_points);
     visit("widest_gap", widest_gap);
     visit("thin_limb", thin_limb);
     visit("aligned", aligned);
+    visit("step", step);
     visit("half_width", half_width);
     visit("stiffness", stiffness);
   }

@@ -26,6 +26,7 @@ struct Skeleton_graph
   {
     Vector3 position = Vector3::Zero();
     double radius = 0;
+    double resolution = 0; ///< Typical distance of the surface points around.
     bool is_cross_section = false; ///< Represents a separator, not a piece in between.
   };
   using Edge = std::pair<std::size_t, std::size_t>;

@@ -21,28 +21,12 @@ inline bool is_closed(const Branch& branch)
   return branch.size() > 1 && branch.front() == branch.back();
 }
 
-/// Returns the length of a branch.
-inline double length(const Branch& branch, const Skeleton_graph& graph)
+/// Returns the vertex at the share `t` in [0, 1] of the way from `a` to `b`.
+inline Skeleton_graph::Vertex between(const Skeleton_graph::Vertex& a,
+                                      const Skeleton_graph::Vertex& b, double t)
 {
-  double sum = 0;
-  for(std::size_t i = 1; i < branch.size(); ++i)
-    sum += (graph.vertices[branch[i]].position - graph.vertices[branch[i - 1]].position).norm();
-  return sum;
-}
-
-/// Returns the vertex at arc length `s` of a branch, or its last vertex. O(length of the branch).
-inline Skeleton_graph::Vertex point_at(double s, const Branch& branch, const Skeleton_graph& graph)
-{
-  for(std::size_t i = 1; i < branch.size(); ++i) {
-    const Skeleton_graph::Vertex& a = graph.vertices[branch[i - 1]];
-    const Skeleton_graph::Vertex& b = graph.vertices[branch[i]];
-    const double length = (b.position - a.position).norm();
-    if(s <= length && length > 0)
-      return {a.position + s / length * (b.position - a.position),
-              a.radius + s / length * (b.radius - a.radius), false};
-    s -= length;
-  }
-  return graph.vertices[branch.back()];
+  return {a.position + t * (b.position - a.position), a.radius + t * (b.radius - a.radius),
+          a.resolution + t * (b.resolution - a.resolution), false};
 }
 
 /// Returns the path of vertices of degree 2 from `from` through its neighbour `to`, with its ends.

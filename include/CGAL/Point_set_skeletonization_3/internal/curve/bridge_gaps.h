@@ -29,16 +29,24 @@ namespace internal {
 class Bridging
 {
 public:
-  /// `spacing` is the median spacing of the patches. Refers to graph and options.
-  Bridging(Skeleton_graph& graph, double spacing, const Curve_options& options)
+  /// `surface[v]` are the surface points of vertex v. Refers to graph and options.
+  Bridging(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
+           const Curve_options& options)
       : options_(options)
       , graph_(graph)
-      , spacing_(spacing)
       , adjacency_(graph.adjacency())
       , sets_(graph.vertices.size())
   {
     for(const Skeleton_graph::Edge& e : graph.edges)
       sets_.join(e.first, e.second);
+    reach_.resize(graph.vertices.size(), 0);
+    for(std::size_t v = 0; v < reach_.size(); ++v)
+      if(adjacency_[v].size() == 1)
+        reach_[v] = reach_beyond(graph.vertices[v].position,
+                                 tip_direction(v, graph, adjacency_), surface[v]);
+      else if(adjacency_[v].empty()) // in all directions
+        for(const Vector3& p : surface[v])
+          reach_[v] = std::max(reach_[v], (p - graph.vertices[v].position).norm());
   }
 
   /// Adds plausible bridges, the shorter first. O(tips times vertices).
@@ -92,8 +100,8 @@ private:
   /// Whether a bridge from a tip to vertex `w` is plausible.
   bool is_plausible(std::size_t end, std::size_t w) const
   {
-    const double thin = options_.thin_limb * spacing_;
-    const double gap = distance(end, w);
+    const double thin = options_.thin_limb * graph_.vertices[end].resolution;
+    const double gap = distance(end, w) - reach_[end] - reach_[w]; // without points
     const double radius = std::max(graph_.vertices[end].radius, graph_.vertices[w].radius);
     if(graph_.vertices[end].radius < thin && gap < options_.widest_gap * thin)
       return true;
@@ -110,8 +118,8 @@ private:
 
   const Curve_options& options_;
   Skeleton_graph& graph_;
-  double spacing_;
   std::vector<std::vector<std::size_t>> adjacency_; ///< Without the bridges.
+  std::vector<double> reach_; ///< Of the points beyond each vertex that is a tip, or alone.
   Union_find sets_;
 };
 

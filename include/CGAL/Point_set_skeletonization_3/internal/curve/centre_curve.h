@@ -49,15 +49,13 @@ public:
   /// \param graph has roughly the radii of the limbs
   /// \param surface `surface[v]` are the surface points of vertex v before denoising, which shrinks
   ///        curved surfaces
-  /// \param spacing typical distance of the surface points
   Curve_centring(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
-                 double spacing, const Are_inside& inside, const Curve_options& options,
+                 const Are_inside& inside, const Curve_options& options,
                  Concurrency concurrency)
       : options_(options)
       , concurrency_(concurrency)
       , graph_(graph)
       , surface_(surface)
-      , spacing_(spacing)
       , inside_(inside)
       , adjacency_(graph.adjacency())
       , start_(graph.vertices)
@@ -102,14 +100,14 @@ private:
   Drawn not_drawn(std::size_t v) const
   {
     const Skeleton_graph::Vertex& vertex = graph_.vertices[v];
-    return {vertex.position, start_[v].position, least_weight, std::max(vertex.radius, spacing_)};
+    return {vertex.position, start_[v].position, least_weight, std::max(vertex.radius, vertex.resolution)};
   }
 
   /// The target of a vertex.
   Drawn drawn(std::size_t v) const
   {
     const Skeleton_graph::Vertex& vertex = graph_.vertices[v];
-    const double radius = std::max(vertex.radius, spacing_);
+    const double radius = std::max(vertex.radius, vertex.resolution);
     const Piece piece = piece_around(v, radius);
     if(!(piece.half_chord > 0)) // a junction
       return not_drawn(v);
@@ -170,7 +168,8 @@ private:
                                    const Vector3& e2, double radius) const
   {
     // Wide enough for a dozen points around a thin limb, narrow enough for varying thickness.
-    const double half_width = std::max(spacing_, options_.half_width * radius);
+    const double half_width =
+      std::max(graph_.vertices[v].resolution, options_.half_width * radius);
     // Points of the cross-section may belong to vertices further along the limb, not to other
     // limbs.
     constexpr double reach = 2; // radii
@@ -274,7 +273,6 @@ private:
   Concurrency concurrency_;
   Skeleton_graph& graph_;
   const std::vector<std::vector<Vector3>>& surface_;
-  double spacing_;
   const Are_inside& inside_;
   std::vector<std::vector<std::size_t>> adjacency_;
   const std::vector<Skeleton_graph::Vertex> start_;
@@ -285,10 +283,10 @@ private:
 /// Centres a skeleton in the cross-sections of its limbs; parameters as for `Curve_centring`. Three
 /// sparse linear systems.
 inline void centre_curve(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
-                         double spacing, const Curve_centring::Are_inside& inside,
-                         const Curve_options& options, Concurrency concurrency)
+                         const Curve_centring::Are_inside& inside, const Curve_options& options,
+                         Concurrency concurrency)
 {
-  Curve_centring(graph, surface, spacing, inside, options, concurrency).run();
+  Curve_centring(graph, surface, inside, options, concurrency).run();
 }
 
 } // namespace internal

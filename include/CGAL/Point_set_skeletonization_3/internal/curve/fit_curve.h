@@ -81,20 +81,22 @@ public:
   }
 
 private:
-  /// Resamples to edges of one spacing, or longer ones (where points coincide): a skeleton has no
-  /// more vertices than samples.
+  /// Resamples to the steps that the options ask for, or longer ones (where points coincide): a
+  /// skeleton has no more vertices than samples.
   void resample()
   {
     double length = 0;
     for(const Skeleton_graph::Edge& e : graph_.edges)
       length += (graph_.vertices[e.first].position - graph_.vertices[e.second].position).norm();
     const double least = length / static_cast<double>(samples_.size());
-    graph_ = resampled(graph_, std::max(surface_.spacing, least));
+    graph_ = resampled(graph_, [&](const Skeleton_graph::Vertex& vertex) {
+      return std::max({least, vertex.resolution, options_.step * vertex.radius});
+    });
   }
 
   void bridge(bool single_component)
   {
-    Bridging bridging(graph_, surface_.spacing, options_);
+    Bridging bridging(graph_, points_of_vertices(), options_);
     bridging.bridge_gaps();
     if(single_component)
       bridging.join_all();
@@ -105,7 +107,7 @@ private:
   {
     measure_radii();
     centre_curve(
-      graph_, points_of_vertices(), surface_.spacing,
+      graph_, points_of_vertices(),
       [this](const std::vector<Vector3>& places) { return are_inside(places); }, options_,
       concurrency_);
   }
@@ -147,8 +149,8 @@ private:
         graph_.vertices[v].radius = radii[v];
   }
 
-  /// Raises radii to the strength of the noise times the lower quartile of the distances of surface
-  /// points. With noise, some patch is always nearer than the surface, and none is left around a
+  /// Raises radii to the lower quartile of the distances of surface points, or a share of it if the
+  /// strength of the noise is below one half. With noise, some patch is always nearer than the surface, and none is left around a
   /// limb as thin as the noise. A vertex has few points, so those of adjacent vertices count too,
   /// except for tips, whose points lie in front. Not used without noise: cross-sections need not be
   /// round.
@@ -165,7 +167,7 @@ private:
             distances.push_back((p - graph_.vertices[w].position).norm());
       double& radius = graph_.vertices[v].radius;
       if(!distances.empty())
-        radius = std::max(radius, noise_ * quantile(std::move(distances), 0.25));
+        radius = std::max(radius, std::min(1.0, 2 * noise_) * quantile(std::move(distances), 0.25));
     }
   }
 

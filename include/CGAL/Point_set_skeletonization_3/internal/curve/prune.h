@@ -12,6 +12,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/stray_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_groups.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -64,11 +65,10 @@ inline void mark_caps(const Skeleton_graph& graph, std::vector<bool>& removed)
 class Spur_pruning
 {
 public:
-  /// `patches_of[v]` are the patches of vertex v. Refers to all arguments.
-  Spur_pruning(const Skeleton_graph& graph, const Patches& patches,
-               const std::vector<std::vector<std::size_t>>& patches_of,
+  /// `surface[v]` are the surface points of vertex v. Refers to all arguments.
+  Spur_pruning(const Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
                const Curve_options& options)
-    : options_(options), graph_(graph), patches_(patches), patches_of_(patches_of)
+    : options_(options), graph_(graph), surface_(surface)
   {}
 
   /// Returns a mark for each vertex of a spur. The least slender is removed first: then its
@@ -93,7 +93,7 @@ public:
           continue;
         const bool ends = adjacency[branch.back()].size() == 1;
         const bool thin =
-            static_cast<double>(number_of_patches(branch, ends)) < options_.least_patches;
+            static_cast<double>(number_of_points(branch, ends)) < options_.least_points;
         if(!ends && (branch.size() < 3 || !thin || !is_detour(branch, rest)))
           continue;
         const double s = thin ? 0 : slenderness(branch);
@@ -110,12 +110,12 @@ public:
   }
 
 private:
-  /// Number of patches of a branch, without its junctions; `ends`: at a tip.
-  std::size_t number_of_patches(const Branch& branch, bool ends) const
+  /// Number of surface points of a branch, without its junctions; `ends`: at a tip.
+  std::size_t number_of_points(const Branch& branch, bool ends) const
   {
     std::size_t result = 0;
     for(std::size_t k = 1; k + (ends ? 0 : 1) < branch.size(); ++k)
-      result += patches_of_[branch[k]].size();
+      result += surface_[branch[k]].size();
     return result;
   }
 
@@ -148,21 +148,21 @@ private:
     return result;
   }
 
-  /// Distances of the patches of the vertices [`k`, `end`) of a branch from the `k`-th, ascending.
+  /// Distances of the surface points of the vertices [`k`, `end`) of a branch from the `k`-th,
+  /// ascending.
   std::vector<double> distances(const Branch& branch, std::size_t k, std::size_t end) const
   {
     std::vector<double> result;
     for(std::size_t l = k; l < end; ++l)
-      for(std::size_t i : patches_of_[branch[l]])
-        result.push_back((patches_[i].mean - graph_.vertices[branch[k]].position).norm());
+      for(const Vector3& p : surface_[branch[l]])
+        result.push_back((p - graph_.vertices[branch[k]].position).norm());
     std::sort(result.begin(), result.end());
     return result;
   }
 
   const Curve_options& options_;
   const Skeleton_graph& graph_;
-  const Patches& patches_;
-  const std::vector<std::vector<std::size_t>>& patches_of_;
+  const std::vector<std::vector<Vector3>>& surface_;
 };
 
 /// A quotient graph without spurs and stray components.
@@ -172,20 +172,24 @@ struct Pruned_quotient
   std::vector<bool> is_stray; ///< For each vertex of the quotient: it consists of outliers.
 };
 
-/// Part 3c: removes stray components, spurs and caps. O(n log n) per spur.
+/// Part 3c: removes stray components, spurs and caps. `components` are the positions of the mixture
+/// components, and `groups` those of each patch. O(n log n) per spur.
 inline Pruned_quotient prune(const Surface_quotient& quotient, const Patches& patches,
+                             const std::vector<Vector3>& components, const Patch_groups& groups,
                              const Curve_options& options)
 {
   const Skeleton_graph& graph = quotient.graph;
-  const std::vector<std::vector<std::size_t>> patches_of =
-    patches_of_vertices(quotient.vertex_of_patch, graph.vertices.size());
   std::vector<double> weights(graph.vertices.size(), 0); // numbers of points
-  for(std::size_t v = 0; v < weights.size(); ++v)
-    for(std::size_t i : patches_of[v])
-      weights[v] += patches[i].weight;
+  std::vector<std::vector<Vector3>> points(graph.vertices.size());
+  for(std::size_t i = 0; i < patches.size(); ++i) {
+    const std::size_t v = quotient.vertex_of_patch[i];
+    weights[v] += patches[i].weight;
+    for(std::size_t k : groups[i])
+      points[v].push_back(components[k]);
+  }
   Pruned_quotient result;
   result.is_stray = stray_vertices(graph, weights, options.stray_share);
-  std::vector<bool> removed = Spur_pruning(graph, patches, patches_of, options).spurs();
+  std::vector<bool> removed = Spur_pruning(graph, points, options).spurs();
   for(std::size_t v = 0; v < removed.size(); ++v)
     removed[v] = removed[v] || result.is_stray[v];
   mark_caps(graph, removed);

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -38,10 +39,25 @@ inline void smooth(Skeleton_graph& graph)
   }
 }
 
-/// Returns the graph with evenly spaced vertices about `step` apart; tips and junctions stay. A
-/// closed branch keeps at least three edges and one between two junctions two: no loops, no
-/// parallel edges. O(n + length / step). \pre `step > 0`
-inline Skeleton_graph resampled(const Skeleton_graph& graph, double step)
+/// Returns the length of each edge of a branch, in steps of its ends.
+template <typename Step>
+std::vector<double> numbers_of_steps(const Branch& branch, const Skeleton_graph& graph,
+                                     const Step& step)
+{
+  std::vector<double> result;
+  for(std::size_t k = 1; k < branch.size(); ++k) {
+    const Skeleton_graph::Vertex &a = graph.vertices[branch[k - 1]],
+                                 &b = graph.vertices[branch[k]];
+    result.push_back(2 * (b.position - a.position).norm() / (step(a) + step(b)));
+  }
+  return result;
+}
+
+/// Returns the graph with vertices about `step(vertex)` apart; tips and junctions stay. A closed
+/// branch keeps at least three edges and one between two junctions two: no loops, no parallel
+/// edges. O(n + number of steps). \pre `step` is positive
+template <typename Step>
+Skeleton_graph resampled(const Skeleton_graph& graph, const Step& step)
 {
   const auto adjacency = graph.adjacency();
   Skeleton_graph result;
@@ -58,13 +74,21 @@ inline Skeleton_graph resampled(const Skeleton_graph& graph, double step)
     std::size_t previous = node(branch.front());
     if(branch.size() == 1)
       continue;
-    const double total = length(branch, graph);
+    const std::vector<double> steps = numbers_of_steps(branch, graph, step);
+    const double total = std::accumulate(steps.begin(), steps.end(), 0.0);
     const bool between_junctions =
       adjacency[branch.front()].size() > 2 && adjacency[branch.back()].size() > 2;
     const double least = is_closed(branch) ? 3 : between_junctions ? 2 : 1;
-    const double pieces = std::max(least, std::round(total / step));
+    const double pieces = std::max(least, std::round(total));
+    std::size_t edge = 0;
+    double before = 0; // steps
     for(double k = 1; k < pieces; ++k) {
-      result.vertices.push_back(point_at(total * k / pieces, branch, graph));
+      const double there = total * k / pieces;
+      for(; edge + 1 < steps.size() && before + steps[edge] < there; ++edge)
+        before += steps[edge];
+      const double t = steps[edge] > 0 ? (there - before) / steps[edge] : 0;
+      result.vertices.push_back(
+        between(graph.vertices[branch[edge]], graph.vertices[branch[edge + 1]], t));
       result.edges.emplace_back(previous, result.vertices.size() - 1);
       previous = result.vertices.size() - 1;
     }
@@ -87,6 +111,21 @@ inline Vector3 tip_direction(std::size_t v, const Skeleton_graph& graph,
   return (end.position - graph.vertices[branch[k]].position).normalized();
 }
 
+/// Returns how far surface points lie beyond a tip in some direction; 0 if they do not, or if there
+/// are fewer than three. O(points).
+inline double reach_beyond(const Vector3& tip, const Vector3& direction,
+                           const std::vector<Vector3>& points)
+{
+  std::vector<double> reach;
+  for(const Vector3& p : points)
+    reach.push_back(direction.dot(p - tip));
+  if(reach.size() < 3)
+    return 0;
+  // The third furthest: two points may be outliers.
+  std::nth_element(reach.begin(), reach.begin() + 2, reach.end(), std::greater<double>());
+  return std::max(0.0, reach[2]);
+}
+
 /// Moves tips along their branches until the ball there reaches the furthest of the surface points
 /// `surface[v]` of the tip. Halves the step, four times at most, while its end is not `inside`, as
 /// in a limb that bends at its end. O(n).
@@ -99,14 +138,8 @@ inline void extend_tips(Skeleton_graph& graph, const std::vector<std::vector<Vec
       continue;
     Skeleton_graph::Vertex& end = graph.vertices[v];
     const Vector3 direction = tip_direction(v, graph, adjacency);
-    std::vector<double> reach;
-    for(const Vector3& p : surface[v])
-      reach.push_back(direction.dot(p - end.position));
-    if(reach.size() < 3)
-      continue;
-    // The third furthest: two points may be outliers.
-    std::nth_element(reach.begin(), reach.begin() + 2, reach.end(), std::greater<double>());
-    Vector3 step = std::max(0.0, reach[2] - end.radius) * direction;
+    const double reach = reach_beyond(end.position, direction, surface[v]);
+    Vector3 step = std::max(0.0, reach - end.radius) * direction;
     constexpr int halvings = 4; // the rest is negligible
     for(int halving = 0; halving < halvings && !inside(end.position + step); ++halving)
       step /= 2;

@@ -142,14 +142,17 @@ patches_of_vertices(const std::vector<std::size_t>& vertex_of_patch, std::size_t
 }
 
 /// Returns the L1-median of some samples, which is robust against outliers, by Weiszfeld's
-/// iteration from their mean; and their mean radius. O(samples). \pre there is a sample
+/// iteration from their mean; their mean radius, and the mean resolution of their patches.
+/// O(samples). \pre there is a sample
 inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
-                                     const Samples& samples)
+                                     const Patches& patches, const Samples& samples)
 {
   Skeleton_graph::Vertex result;
+  const double share = 1 / static_cast<double>(members.size());
   for(std::size_t i : members) {
-    result.position += samples[i].position / static_cast<double>(members.size());
-    result.radius += samples[i].radius / static_cast<double>(members.size());
+    result.position += share * samples[i].position;
+    result.radius += share * samples[i].radius;
+    result.resolution += share * patches[i].resolution();
   }
   constexpr int iterations = 10; // it converges linearly, and a tenth of a radius is enough
   for(int iteration = 0; iteration < iterations; ++iteration) {
@@ -218,7 +221,7 @@ inline Surface_quotient surface_quotient(const Patches& patches, const Samples& 
   for(const auto& pair : beside)
     members[pair.first] = separators[pair.second].sides[1];
   parallel_for(concurrency, members.size(), [&](std::size_t v) {
-    result.graph.vertices[v] = middle(members[v], samples);
+    result.graph.vertices[v] = middle(members[v], patches, samples);
     result.graph.vertices[v].is_cross_section = v < separators.size();
   });
   return result;

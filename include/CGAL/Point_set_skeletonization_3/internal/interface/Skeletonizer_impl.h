@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -75,31 +76,36 @@ struct Skeletonizer::State
     number_of_outliers = 0;
   }
 
+  /// The patch of a component of the mixture; `none` for outliers.
+  std::size_t patch_of_component(std::size_t i) const
+  {
+    const std::size_t component = medial->consolidated.merged_into[i];
+    return component == Consolidated_mixture::none ? none
+                                                   : medial->surface.groups.group_of()[component];
+  }
+
   /// The surface points before denoising, those of one sample consecutive.
   std::vector<Surface_point> surface_points() const
   {
-    const std::vector<std::size_t>& patch = medial->consolidated.patch_of_component;
     std::vector<Surface_point> result;
-    result.reserve(patch.size());
-    for(std::size_t i = 0; i < patch.size(); ++i)
-      if(patch[i] != Consolidated_mixture::none)
-        result.push_back({patch[i], mixture.front()[i].mean});
+    result.reserve(mixture.front().size());
+    for(std::size_t i = 0; i < mixture.front().size(); ++i)
+      if(const std::size_t patch = patch_of_component(i); patch != none)
+        result.push_back({patch, mixture.front()[i].mean});
     const auto is_before = [](const Surface_point& a, const Surface_point& b) {
       return a.sample < b.sample;
     };
-    if(!std::is_sorted(result.begin(), result.end(), is_before)) // they are without noise
-      std::stable_sort(result.begin(), result.end(), is_before);
+    std::stable_sort(result.begin(), result.end(), is_before);
     return result;
   }
 
   void assign_components()
   {
-    const std::vector<std::size_t>& patch = medial->consolidated.patch_of_component;
     double outlier_weight = 0;
-    vertex_of_component.resize(patch.size());
-    for(std::size_t i = 0; i < patch.size(); ++i) {
-      vertex_of_component[i] =
-        patch[i] == Consolidated_mixture::none ? none : vertex_of_sample[patch[i]];
+    vertex_of_component.resize(mixture.front().size());
+    for(std::size_t i = 0; i < vertex_of_component.size(); ++i) {
+      const std::size_t patch = patch_of_component(i);
+      vertex_of_component[i] = patch == none ? none : vertex_of_sample[patch];
       if(vertex_of_component[i] == none)
         outlier_weight += mixture.front()[i].weight;
     }
@@ -198,34 +204,52 @@ void Skeletonizer::set_samples(const Plain_samples& plain)
     normalization_of(plain.box, plain.samples,
                      [](const Plain_sample& s) -> const Plain_gaussian& { return s.patch; });
 
-  Consolidated_mixture patches;
+  Extent surface_extent; // throws
+  for(std::size_t i = 0; i < plain.surface.size(); ++i) {
+    surface_extent.add(i, to_vector(plain.surface[i].point));
+    surface_extent.add(i, to_vector(plain.surface[i].denoised));
+  }
+
+  // The surface points replace the components of the mixture; without any, the patches do.
+  Consolidated_mixture consolidated;
+  consolidated.noise = plain.noise;
+  std::vector<std::size_t> patch_of_component;
+  Gaussians& measured = state.mixture.emplace_back();
+  std::map<Plain_point, std::size_t> component_at;
+  for(const Plain_surface_point& p : plain.surface) {
+    const auto [found, is_new] =
+      component_at.emplace(p.denoised, consolidated.components.size());
+    if(is_new) {
+      consolidated.components.push_back(
+        {0, state.normalization.to_unit(to_vector(p.denoised)), Matrix3::Zero()});
+      patch_of_component.push_back(p.sample);
+    }
+    consolidated.components[found->second].weight += p.weight;
+    consolidated.merged_into.push_back(found->second);
+    measured.push_back({p.weight, state.normalization.to_unit(to_vector(p.point)), Matrix3::Zero()});
+  }
   Samples samples;
   for(const Plain_sample& sample : plain.samples) {
-    patches.patches.push_back(from_plain(sample.patch, state.normalization));
     samples.push_back({state.normalization.to_unit(to_vector(sample.point)),
                        sample.radius / state.normalization.diagonal()});
+    if(plain.surface.empty()) {
+      consolidated.merged_into.push_back(measured.size());
+      patch_of_component.push_back(measured.size());
+      measured.push_back(from_plain(sample.patch, state.normalization));
+      consolidated.components.push_back(measured.back());
+    }
   }
-  patches.noise = plain.noise;
-  patches.tree = Box_tree(means_of(patches.patches), state.concurrency);
-  patches.neighbors =
-    k_nearest_neighbors(patches.tree, surface_neighbors + 1, state.concurrency);
+  consolidated.neighbors =
+    k_nearest_neighbors(Box_tree(means_of(consolidated.components), state.concurrency),
+                        surface_neighbors + 1, state.concurrency);
+  const Surface_options& options = state.options.medial.surface;
   Surface surface =
-    build_surface(patches.patches, patches.tree, patches.neighbors, state.options.medial.surface,
+    build_surface(consolidated.components,
+                  estimate_patches(consolidated.components, consolidated.neighbors, options,
+                                   state.concurrency),
+                  Patch_groups(std::move(patch_of_component), samples.size()), options,
                   state.concurrency);
-
-  // The surface points replace the components of the mixture.
-  state.mixture.emplace_back();
-  for(const auto& [point, sample] : plain.surface) {
-    state.mixture.front().push_back(
-      {0, state.normalization.to_unit(to_vector(point)), Matrix3::Zero()});
-    patches.patch_of_component.push_back(sample);
-  }
-  if(plain.surface.empty()) {
-    state.mixture.front() = patches.patches;
-    for(std::size_t i = 0; i < samples.size(); ++i)
-      patches.patch_of_component.push_back(i);
-  }
-  state.medial = Medial_surface{std::move(patches), std::move(surface), std::move(samples)};
+  state.medial = Medial_surface{std::move(consolidated), std::move(surface), std::move(samples)};
 }
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
@@ -259,13 +283,21 @@ Plain_samples Skeletonizer::samples() const
   const Medial_surface& medial = *state_->medial;
   const Normalization& normalization = state_->normalization;
   for(std::size_t i = 0; i < medial.samples.size(); ++i)
-    result.samples.push_back({to_plain(medial.consolidated.patches[i], normalization),
+    result.samples.push_back({to_plain(medial.surface.gaussians[i], normalization),
                               to_plain(medial.samples[i].position, normalization),
                               medial.samples[i].radius * normalization.diagonal()});
   result.noise = medial.consolidated.noise;
   result.box = plain_box(normalization);
-  for(const Surface_point& p : state_->surface_points())
-    result.surface.emplace_back(to_plain(p.position, normalization), p.sample);
+  for(std::size_t i = 0; i < state_->mixture.front().size(); ++i) {
+    const std::size_t component = medial.consolidated.merged_into[i];
+    if(component == Consolidated_mixture::none)
+      continue;
+    const Gaussian& measured = state_->mixture.front()[i];
+    result.surface.push_back(
+      {to_plain(measured.mean, normalization),
+       to_plain(medial.consolidated.components[component].mean, normalization), measured.weight,
+       medial.surface.groups.group_of()[component]});
+  }
   return result;
 }
 

@@ -47,12 +47,19 @@ struct Plain_sample
   double radius = 0;
 };
 
+struct Plain_surface_point
+{
+  Plain_point point{}, denoised{};
+  double weight = 1;
+  std::size_t sample = 0;
+};
+
 struct Plain_samples
 {
   Plain_box box;
   std::vector<Plain_sample> samples;
   double noise = 0; ///< In [0, 1].
-  std::vector<std::pair<Plain_point, std::size_t>> surface; ///< Points with their samples.
+  std::vector<Plain_surface_point> surface;
 };
 
 struct Plain_l1_sample

@@ -119,9 +119,25 @@ Medial_samples_3<GeomTraits> to_public(const Plain_samples& samples)
                               static_cast<FT>(s.radius)});
   result.noise = static_cast<FT>(samples.noise);
   result.bbox = to_public(samples.box);
-  for(const auto& [point, sample] : samples.surface)
-    result.surface.emplace_back(to_public<GeomTraits>(point), sample);
+  for(const Plain_surface_point& p : samples.surface)
+    result.surface.push_back({to_public<GeomTraits>(p.point), to_public<GeomTraits>(p.denoised),
+                              static_cast<FT>(p.weight), p.sample});
   return result;
+}
+
+/// Whether the surface points of samples, if there are any, are of each sample, and of no other.
+template <typename GeomTraits>
+bool has_points_of_all_samples(const Medial_samples_3<GeomTraits>& samples)
+{
+  if(samples.surface.empty())
+    return true;
+  std::vector<bool> has_point(samples.samples.size(), false);
+  for(const auto& p : samples.surface) {
+    if(p.sample >= has_point.size())
+      return false;
+    has_point[p.sample] = true;
+  }
+  return std::find(has_point.begin(), has_point.end(), false) == has_point.end();
 }
 
 template <typename GeomTraits>
@@ -132,8 +148,9 @@ Plain_samples to_plain(const Medial_samples_3<GeomTraits>& samples)
     result.samples.push_back({to_plain(s.patch), to_plain(s.point), CGAL::to_double(s.radius)});
   result.noise = CGAL::to_double(samples.noise);
   result.box = to_plain(samples.bbox);
-  for(const auto& [point, sample] : samples.surface)
-    result.surface.emplace_back(to_plain(point), sample);
+  for(const auto& p : samples.surface)
+    result.surface.push_back(
+      {to_plain(p.point), to_plain(p.denoised), CGAL::to_double(p.weight), p.sample});
   return result;
 }
 

@@ -33,35 +33,36 @@ namespace internal {
 /// Options of stage 1: how fine the grid is.
 struct Grid_options
 {
-  /// Average number of points of a patch, >= 1: fewer make its normal noisy, more lose thin limbs.
-  double points_per_patch = 4;
+  /// Average number of points of a cell, >= 1: fewer make the grid of noisy points slow, more lose
+  /// thin limbs.
+  double points_per_cell = 2;
 
-  /// At most 65535. Bounds the running time of the later stages, which depends on the number of
-  /// patches only.
-  std::size_t maximum_patches = 6000;
+  /// Greatest number of cells. Bounds memory, about 1 kB a cell, and running time.
+  std::size_t maximum_cells = std::size_t(1) << 17;
 
-  /// At least 8. A cloud with up to this many points gets a patch for each distinct cell: all is
-  /// detail.
-  std::size_t minimum_patches = 400;
+  /// At least 8. A cloud with up to this many points gets a cell for each distinct point: in so
+  /// small a cloud each may be the only one on its side of a limb.
+  std::size_t minimum_cells = 1000;
 
-  /// Greatest number of cells of the fine grid: far more than patches, so that widths can be chosen
-  /// in small steps.
-  std::size_t maximum_fine_cells() const { return 32 * maximum_patches; }
+  /// Greatest number of cells of the grid that is read first: more than are wanted, so that widths
+  /// can be chosen in small steps.
+  std::size_t maximum_fine_cells() const { return 4 * maximum_cells; }
 
-  /// Greatest number of patches of a cloud.
-  std::size_t patches(std::size_t points) const
+  /// Greatest number of cells of a cloud.
+  std::size_t cells(std::size_t points) const
   {
-    const auto wanted = static_cast<std::size_t>(static_cast<double>(points) / points_per_patch);
-    return std::min(std::max(wanted, minimum_patches), maximum_patches);
+    const auto wanted = static_cast<std::size_t>(static_cast<double>(points) / points_per_cell);
+    return std::min(std::max(wanted, minimum_cells), maximum_cells);
   }
 
   /// Checks all ranges.
   void check() const
   {
-    CGAL_precondition(points_per_patch >= 1);
+    CGAL_precondition(points_per_cell >= 1);
     // The eight cells around the origin are never merged.
-    CGAL_precondition(minimum_patches >= 8 && minimum_patches <= maximum_patches);
-    CGAL_precondition(maximum_patches <= 65535); // points keep an index of 16 bits
+    CGAL_precondition(minimum_cells >= 8 && minimum_cells <= maximum_cells);
+    // Indices of cells have 32 bits, and so do those of pairs of adjacent patches.
+    CGAL_precondition(maximum_cells <= std::size_t(1) << 26);
   }
 };
 
@@ -133,7 +134,7 @@ inline Grid_level coarser_level(const Cubic_grid& grid, const Moment_cells& cell
   return result;
 }
 
-/// Number of parts of a large cloud: work for eight threads.
+/// Greatest number of parts of a cloud: work for eight threads.
 constexpr std::size_t cloud_parts = 8;
 
 /// The cell index of each point, in chunks whose memory can be returned to the system one after the
@@ -147,13 +148,13 @@ public:
   {
     for(std::size_t first = 0; first < size; first += chunk_size)
       chunks_.push_back(boost::interprocess::anonymous_shared_memory(
-        sizeof(std::uint16_t) * std::min(chunk_size, size - first)));
+        sizeof(std::uint32_t) * std::min(chunk_size, size - first)));
   }
 
   std::size_t size() const { return size_; }
 
-  std::uint16_t& operator[](std::size_t p) { return chunk_of(p)[p % chunk_size]; }
-  std::uint16_t operator[](std::size_t p) const { return chunk_of(p)[p % chunk_size]; }
+  std::uint32_t& operator[](std::size_t p) { return chunk_of(p)[p % chunk_size]; }
+  std::uint32_t operator[](std::size_t p) const { return chunk_of(p)[p % chunk_size]; }
 
   /// Returns the memory of points below `end`, which must not be accessed any more.
   void forget_below(std::size_t end)
@@ -165,9 +166,9 @@ public:
 private:
   static constexpr std::size_t chunk_size = 1 << 20;
 
-  std::uint16_t* chunk_of(std::size_t p) const
+  std::uint32_t* chunk_of(std::size_t p) const
   {
-    return static_cast<std::uint16_t*>(chunks_[p / chunk_size].get_address());
+    return static_cast<std::uint32_t*>(chunks_[p / chunk_size].get_address());
   }
 
   std::size_t size_ = 0;
@@ -179,9 +180,9 @@ inline Cells_of_points add_points(const Normalized_points& points, Grid_level& l
                                   Concurrency concurrency, const Progress& progress)
 {
   // The moments of parts are added in order: the result does not depend on the number of threads.
-  constexpr std::size_t worth_a_part = 1 << 15; // several times as many points as cells
+  constexpr std::size_t worth_a_part = 16; // points of a cell: so parts need less memory than points
   std::vector<std::vector<Moments>> parts(
-    std::min(cloud_parts, 1 + points.size() / worth_a_part));
+    std::min(cloud_parts, 1 + points.size() / (worth_a_part * level.cells.size())));
   Cells_of_points cell_of_point(points.size());
   const Cell_of_point cell_of(level.grid);
   for(std::vector<Moments>& part : parts)
@@ -192,7 +193,7 @@ inline Cells_of_points add_points(const Normalized_points& points, Grid_level& l
       const Grid_cell cell = cell_of(p);
       const std::size_t number = level.cells.number(cell);
       parts[k][number].add(1, p - level.grid.center(cell));
-      cell_of_point[i] = static_cast<std::uint16_t>(number);
+      cell_of_point[i] = static_cast<std::uint32_t>(number);
     },
     concurrency, progress);
   for(const std::vector<Moments>& part : parts)
@@ -204,7 +205,7 @@ inline Cells_of_points add_points(const Normalized_points& points, Grid_level& l
 /// points.
 struct Grid_mixture
 {
-  /// The first level is the finest grid with at most `options.patches()` cells; each further one
+  /// The first level is the finest grid with at most `options.cells()` cells; each further one
   /// has cells of twice the width. Empty without points.
   std::vector<Grid_level> levels;
 
@@ -234,7 +235,7 @@ inline Grid_mixture grid_mixture(const Normalized_points& points, const Grid_opt
   const Fine_cells fine =
       fine_cells(points, options.maximum_fine_cells(), concurrency, progress.part(0, 0.5));
   result.levels.push_back(
-    patch_level(fine.cells, fine.grid, options.patches(points.size()), concurrency));
+    patch_level(fine.cells, fine.grid, options.cells(points.size()), concurrency));
   result.cell_of_point =
       add_points(points, result.levels.front(), concurrency, progress.part(0.5, 1));
   result.add_coarser_levels(number_of_levels);
@@ -254,7 +255,7 @@ inline Grid_mixture grid_mixture(const Moment_grid& fine, const Grid_options& op
     return result;
   result.levels.push_back(
     patch_level(fine.cells().cells(), fine.grid(),
-                options.patches(static_cast<std::size_t>(points)), Concurrency::sequential));
+                options.cells(static_cast<std::size_t>(points)), Concurrency::sequential));
   Grid_level& finest = result.levels.back();
   finest.cells.add(finest.grid, fine.cells(), fine.grid());
   result.add_coarser_levels(number_of_levels);

@@ -23,7 +23,7 @@ struct Options
   template <typename Visit>
   void visit(const Visit& visit)
   {
-    visit("points_per_patch", mixture.points_per_patch);
+    visit("points_per_cell", mixture.points_per_cell);
     medial.consolidation.visit(visit);
     medial.surface.visit(visit);
     medial.samples.visit(visit);

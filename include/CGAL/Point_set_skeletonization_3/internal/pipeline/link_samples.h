@@ -74,7 +74,7 @@ inline Linked_samples link_samples(const Surface& surface, const Samples& sample
   progress(0.6);
   const Surface_quotient quotient =
     surface_quotient(surface.patches, samples, overlaps, separators, concurrency);
-  const Pruned_quotient pruned = prune(quotient, surface.patches, options.curve);
+  const Pruned_quotient pruned = prune(quotient, surface.patches, surface.components, surface.groups, options.curve);
   progress(0.7);
 
   const auto is_outlier = [&](std::size_t sample) {

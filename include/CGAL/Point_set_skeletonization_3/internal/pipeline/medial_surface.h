@@ -10,6 +10,9 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/medial_samples.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/contract_patches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/estimate_patches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/flat_groups.h>
 
 #include <utility>
 
@@ -43,9 +46,13 @@ inline Medial_surface medial_surface(const Gaussians& components, double cell_si
   Consolidated_mixture consolidated =
     consolidate(components, cell_size, options.consolidation, concurrency);
   progress(0.4);
-  Surface surface =
-    build_surface(consolidated.patches, consolidated.tree, consolidated.neighbors, options.surface,
-                  concurrency);
+  const Gaussians& components_left = consolidated.components;
+  const Patches fine =
+    estimate_patches(components_left, consolidated.neighbors, options.surface, concurrency);
+  const Patch_groups flat =
+    flat_groups(components_left, consolidated.cell_size, options.surface.flatness);
+  Surface surface = build_surface(components_left, fine, connected_groups(flat, fine),
+                                  options.surface, concurrency);
   progress(0.7);
   Samples samples = medial_samples(surface, options.samples, concurrency);
   progress(1);

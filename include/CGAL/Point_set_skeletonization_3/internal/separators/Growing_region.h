@@ -75,8 +75,11 @@ public:
       , label_(patches.size(), outside)
       , nearest_(patches.size())
   {
-    for(const Patch& patch : patches)
+    for(const Patch& patch : patches) {
       means_.push_back(patch.mean);
+      areas_.push_back(static_cast<float>(patch.area));
+      total_area_ += patch.area;
+    }
     for(const Sample& sample : samples)
       positions_.push_back(sample.position);
   }
@@ -102,6 +105,7 @@ public:
     const double radius = std::max(samples_[seed].radius, patches_[seed].spacing / 2);
     region_.push_back_if(true, seed);
     label_[seed] = region;
+    area_ = static_cast<double>(areas_[seed]);
     add_neighbors_to_front(seed);
     Result result;
     std::size_t size = 0; // of the region when its front was tested last
@@ -109,7 +113,7 @@ public:
     bool is_bounded = true;      // the region has a front and at most half of the shape
     for(double reach = growth * radius; reach < options_.flattest * radius; reach *= growth) {
       grow(reach);
-      is_bounded = !front_.empty() && region_.size() <= patches_.size() / 2;
+      is_bounded = !front_.empty() && area_ <= total_area_ / 2;
       if(!is_bounded)
         break;
       if(region_.size() == size)
@@ -138,7 +142,12 @@ public:
   static constexpr double same_patch = 0.7;
 
 private:
-  using Part = std::vector<std::size_t>;
+  /// A connected component of the front.
+  struct Part
+  {
+    std::vector<std::size_t> patches;
+    double area = 0; ///< Patches may be of different size.
+  };
 
   /// The nearer of two parts of the front, 1 or 2, and its distance along the surface. The default
   /// is less than any other.
@@ -192,6 +201,7 @@ private:
       }
       for(; held < region_.size(); ++held) {
         label_[region_[held]] = region;
+        area_ += static_cast<double>(areas_[region_[held]]);
         add_neighbors_to_front(region_[held]);
       }
     }
@@ -221,7 +231,10 @@ private:
   std::vector<Part> connected_parts()
   {
     std::vector<Part> parts;
-    const double enough = static_cast<double>(front_.size()) / (1 + options_.least_share);
+    double enough = 0;
+    for(std::size_t i : front_)
+      enough += static_cast<double>(areas_[i]);
+    enough /= 1 + options_.least_share;
     bool splits = true;
     found_.shorten(0);
     const auto add = [&](std::size_t i) {
@@ -234,21 +247,23 @@ private:
         continue;
       const std::size_t first = found_.size();
       add(start);
+      double area = 0;
       for(std::size_t next = first; next < found_.size() && splits; ++next) {
         for(const auto& edge : graph_[found_[next]])
           add(edge.patch);
-        splits = static_cast<double>(found_.size() - first) <= enough;
+        area += static_cast<double>(areas_[found_[next]]);
+        splits = area <= enough;
       }
       if(!splits)
         break;
-      parts.emplace_back(found_.begin() + first, found_.end());
+      parts.push_back({{found_.begin() + first, found_.end()}, area});
     }
     for(std::size_t i : front_)
       label_[i] = front;
     if(!splits)
       return {};
     std::stable_sort(parts.begin(), parts.end(),
-                     [](const Part& a, const Part& b) { return a.size() > b.size(); });
+                     [](const Part& a, const Part& b) { return a.area > b.area; });
     return parts;
   }
 
@@ -256,7 +271,7 @@ private:
   bool splits(const std::vector<Part>& parts) const
   {
     const auto share = [&](std::size_t a, std::size_t b) {
-      return static_cast<double>(parts[a].size()) / static_cast<double>(parts[b].size());
+      return parts[a].area / parts[b].area;
     };
     return parts.size() >= 2 && share(1, 0) >= options_.least_share &&
            (parts.size() == 2 || share(2, 1) <= options_.junction_share);
@@ -283,7 +298,7 @@ private:
          std::any_of(graph_[i].begin(), graph_[i].end(), in_second_half))
         add(i);
     });
-    for(std::size_t i : parts[0])
+    for(std::size_t i : parts[0].patches)
       for(const auto& edge : graph_[i])
         if(in_second_half(edge))
           add(edge.patch);
@@ -321,7 +336,7 @@ private:
       }
     };
     for(int k = 0; k < 2; ++k)
-      for(std::size_t i : parts[static_cast<std::size_t>(k)]) {
+      for(std::size_t i : parts[static_cast<std::size_t>(k)].patches) {
         label_[i] = front;
         visit(0, k + 1, static_cast<std::uint32_t>(i));
       }
@@ -341,12 +356,15 @@ private:
   const Samples& samples_;
   Vector3 center_ = Vector3::Zero();
   Patch_list region_; ///< The seed first.
+  double area_ = 0;   ///< Of the region.
   Patch_list front_;
   std::vector<double> squared_distance_; ///< From the centre to the front.
   Patch_list found_; ///< Scratch memory of `connected_parts()`.
 
   // Copies of what is read most often, contiguous for the cache.
   std::vector<Vector3> means_, positions_;
+  std::vector<float> areas_;
+  double total_area_ = 0;
 
   // For each patch; default outside the region.
   std::vector<Label> label_;

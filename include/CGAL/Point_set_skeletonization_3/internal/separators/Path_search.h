@@ -46,6 +46,15 @@ public:
     return result;
   }
 
+  /// Whether a path leads from one side to the other across the separator.
+  bool is_crossed(const Local_separator& separator)
+  {
+    mark(separator);
+    const bool result = crosses(separator);
+    unmark(separator);
+    return result;
+  }
+
   /// Returns the algebraic intersection number of a closed path and a separator: its crossings from
   /// the first side to the second minus those back; 0 if unknown. O(sizes of both).
   int algebraic_intersection_number(const Path& loop, const Local_separator& separator)
@@ -138,6 +147,23 @@ private:
           queue.push(j);
     }
     return false;
+  }
+
+  /// Breadth-first search from the first side on the separator.
+  bool crosses(const Local_separator& separator)
+  {
+    std::vector<std::size_t> reached = separator.sides[0];
+    bool result = false;
+    for(std::size_t next = 0; next < reached.size() && !result; ++next) {
+      const bool is_beside = place_[reached[next]] == on_first_side;
+      for(const auto& edge : graph_[reached[next]])
+        if(place_[edge.patch] == on_separator) {
+          place_[edge.patch] = elsewhere; // reached
+          reached.push_back(edge.patch);
+        } else if(place_[edge.patch] == on_second_side && !is_beside)
+          result = true;
+    }
+    return result;
   }
 
   /// Searches from both sides alternately: if there is no path, the search visits about twice the

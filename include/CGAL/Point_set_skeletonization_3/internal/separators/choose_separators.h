@@ -59,7 +59,8 @@ public:
           search_.local().closed(paths_[s]->patches, candidates_[s]));
         continue;
       }
-      if(!paths_[s]->patches.empty() && paths_[s]->curve == none)
+      if(!paths_[s]->patches.empty() &&
+         (paths_[s]->curve == none || !search_.local().is_crossed(candidates_[s])))
         continue;
       mark(candidates_[s], is_taken_);
       result.push_back(std::move(candidates_[s]));

@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -13,11 +14,12 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// A mixture component as a piece of the surface, in normalised coordinates.
+/// One or more mixture components as a piece of the surface, in normalised coordinates.
 struct Patch
 {
   Vector3 mean = Vector3::Zero();
   double weight = 0; ///< Number of points.
+  std::size_t components = 1; ///< Number of mixture components.
 
   /// Area of the surface that it represents.
   double area = 0;
@@ -29,8 +31,15 @@ struct Patch
   /// is a line, so that the normal is arbitrary.
   double planarity = 0;
 
-  /// Distance to the fifth nearest neighbour (of ten), > 0.
+  /// Whether its neighbourhood is a line.
+  bool is_on_line = false;
+
+  /// Typical distance to the adjacent patches, > 0: of a single component to the fifth nearest
+  /// neighbour (of ten).
   double spacing = 0;
+
+  /// The same of its mixture components: how finely the surface is known there.
+  double resolution() const { return spacing / std::sqrt(static_cast<double>(components)); }
 
   /// Adjacent patches, ascending; symmetric.
   std::vector<std::size_t> neighbors;

@@ -7,12 +7,12 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
-#include <CGAL/Point_set_skeletonization_3/internal/spatial/K_nearest_neighbors.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_groups.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Visible_surface.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Winding_number.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/estimate_patches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/contract_patches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/orient_patches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/settle_orientation.h>
 
@@ -28,30 +28,41 @@ struct Surface
 {
   Surface_options options;
   Patches patches;
-  double spacing; ///< Median over the patches.
-  Box_tree tree;  ///< Over the patches.
+  Gaussians gaussians; ///< Of the patches.
+  Box_tree tree;       ///< Over the patches.
   std::vector<double> confidence; ///< Of the orientation of each patch, in [0, 1].
   Winding_number winding_number;
   Visible_surface visible;
+
+  // The components of the mixture that the patches are made of.
+  std::vector<Vector3> components; ///< Their positions.
+  Patch_groups groups;             ///< The components of each patch.
 };
 
-/// Part 2b: returns the oriented surface of Gaussians. `tree` is over their means; `nearest` are
-/// the `surface_neighbors` of each, itself first. O(n log n).
-/// \pre there is a Gaussian
-inline Surface build_surface(const Gaussians& gaussians, const Box_tree& tree,
-                             const K_nearest_neighbors& nearest, const Surface_options& options,
-                             Concurrency concurrency)
+/// Part 2b: returns the oriented surface of a mixture. `fine` are the patches of the components,
+/// from `estimate_patches()`; those of a group become one patch. O(n log n).
+/// \pre there is a component, and no group is empty
+inline Surface build_surface(const Gaussians& components, const Patches& fine, Patch_groups groups,
+                             const Surface_options& options, Concurrency concurrency)
 {
   options.check();
-  Patches patches = estimate_patches(gaussians, nearest, options, concurrency);
-  const double spacing = median_spacing(patches);
+  Gaussians gaussians = contracted(components, groups, concurrency);
+  const Box_tree tree(means_of(gaussians), concurrency);
+  Patches patches = contracted(fine, gaussians, groups, options, concurrency);
   orient_patches(patches, concurrency);
   Winding_number winding_number = settle_orientation(patches, tree, options, concurrency);
   std::vector<double> confidence = orientation_confidence(patches, concurrency);
   part_facing_patches(patches, confidence, options, concurrency);
   Visible_surface visible(patches, confidence, tree);
-  return {options, std::move(patches),        spacing,           tree, std::move(confidence),
-          std::move(winding_number), std::move(visible)};
+  return {options,
+          std::move(patches),
+          std::move(gaussians),
+          tree,
+          std::move(confidence),
+          std::move(winding_number),
+          std::move(visible),
+          means_of(components),
+          std::move(groups)};
 }
 
 } // namespace internal

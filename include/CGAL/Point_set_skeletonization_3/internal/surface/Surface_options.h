@@ -13,6 +13,10 @@ namespace internal {
 /// Options of part 2b: all thresholds on normals and winding numbers, for all parts.
 struct Surface_options
 {
+  /// Greatest variance across a patch of several components, in (0, 1), relative to that of a cell
+  /// of its width that is filled with points. A round limb then has five to nine patches around it.
+  double flatness = 0.02;
+
   /// Greatest distance of adjacent patches, in spacings of either, >= 1: beyond it there is a gap.
   /// Between two cells of a sampled surface the spacing itself varies by less.
   double adjacency_reach = 2.2;
@@ -31,10 +35,10 @@ struct Surface_options
   /// other.
   double opposite_normals = -0.3;
 
-  /// Two patches with opposite normals face each other if the cosines between their normals and the
-  /// segment between them add up to more than this, in (0, 2): both 66 degrees, or one straight
-  /// ahead.
-  double towards = 0.8;
+  /// Resolutions, > 0. Two patches with opposite normals face each other if their heights above
+  /// each other, or depths below each other, add up to more than this: less cannot be told from a
+  /// crease. Hardly any pair is near the limit.
+  double least_gap = 0.8;
 
   /// Orientation confidence, in (0, 1), below which a normal is not used.
   double trusted_orientation = 0.3;
@@ -52,11 +56,12 @@ struct Surface_options
   /// Checks all ranges.
   void check() const
   {
+    CGAL_precondition(flatness > 0 && flatness < 1);
     CGAL_precondition(adjacency_reach >= 1);
     CGAL_precondition(least_width > 0 && least_width <= 1);
     CGAL_precondition(along_normal > 0 && along_normal < 1);
     CGAL_precondition(opposite_normals > -1 && opposite_normals <= 0);
-    CGAL_precondition(towards > 0 && towards < 2);
+    CGAL_precondition(least_gap > 0);
     CGAL_precondition(trusted_orientation > 0 && trusted_orientation < 1);
     CGAL_precondition(0 < least_inside && least_inside < 0.5);
     CGAL_precondition(0 < air && air < 1);
@@ -66,11 +71,12 @@ struct Surface_options
   template <typename Visit>
   void visit(const Visit& visit)
   {
+    visit("flatness", flatness);
     visit("adjacency_reach", adjacency_reach);
     visit("least_width", least_width);
     visit("along_normal", along_normal);
     visit("opposite_normals", opposite_normals);
-    visit("towards", towards);
+    visit("least_gap", least_gap);
     visit("trusted_orientation", trusted_orientation);
     visit("least_inside", least_inside);
     visit("air", air);

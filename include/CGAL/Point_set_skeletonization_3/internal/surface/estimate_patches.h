@@ -9,7 +9,6 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Moments.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/principal_axes.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/quantile.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/K_nearest_neighbors.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface_options.h>
@@ -17,33 +16,38 @@
 
 #include <CGAL/number_utils.h>
 
-#include <boost/range/iterator_range.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
+/// A disc whose radius is the distance to the fifth of the nearest neighbours contains the patch
+/// and half of its neighbours: so many patches have its area.
+constexpr double patches_of_disc = 6;
+
+/// Returns the spacing of patches of some area.
+inline double spacing_of_area(double area) { return std::sqrt(patches_of_disc * area / CGAL_PI); }
+
 /// Sets normal and planarity of a patch, from its own moments and those of its neighbours with a
-/// Gaussian weight of the local spacing: moments of a single patch with few points are noisy.
-inline void estimate_normal(Patch& patch, const Gaussians& gaussians,
-                            const boost::iterator_range<const Neighbor*>& nearest,
-                            double least_width)
+/// Gaussian weight of width `scale`: moments of a single patch with few points are noisy.
+template <typename Neighbors>
+void estimate_normal(Patch& patch, const Gaussians& gaussians, const Neighbors& nearest,
+                     double scale, double least_width)
 {
   Moments moments; // about the mean
   for(const auto& neighbor : nearest) {
-    const double r2 = neighbor.squared_distance / (patch.spacing * patch.spacing);
+    const double r2 = neighbor.squared_distance / (scale * scale);
     const Gaussian& other = gaussians[neighbor.index];
     moments.add(std::exp(-2 * r2) * other.weight, other.mean - patch.mean, other.covariance);
   }
   const auto [variance, directions] = principal_axes(moments.gaussian(patch.mean).covariance);
   patch.normal = directions.col(0).normalized();
+  patch.is_on_line = variance[1] < least_width * variance[2];
   if(variance[1] > 1e-10 * variance[2])
     patch.planarity = (1 - variance[0] / variance[1]) *
                       std::min(1.0, variance[1] / (least_width * variance[2]));
@@ -68,7 +72,7 @@ inline Patches estimate_patches(const Gaussians& gaussians, const K_nearest_neig
     patch.spacing = std::max(patch.spacing, least_spacing);
     // A disc of this radius contains the patch and half of its neighbours.
     patch.area = CGAL_PI * patch.spacing * patch.spacing / static_cast<double>(middle + 1);
-    estimate_normal(patch, gaussians, nearest[i], options.least_width);
+    estimate_normal(patch, gaussians, nearest[i], patch.spacing, options.least_width);
   });
 
   parallel_for(concurrency, patches.size(), [&](std::size_t i) {
@@ -100,15 +104,6 @@ inline Patches estimate_patches(const Gaussians& gaussians, const K_nearest_neig
     neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
   });
   return patches;
-}
-
-/// Returns the median spacing. O(n). \pre there is a patch
-inline double median_spacing(const Patches& patches)
-{
-  std::vector<double> spacings;
-  for(const Patch& patch : patches)
-    spacings.push_back(patch.spacing);
-  return quantile(std::move(spacings), 0.5);
 }
 
 } // namespace internal

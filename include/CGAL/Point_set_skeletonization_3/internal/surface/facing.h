@@ -7,14 +7,14 @@
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface_options.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-// Tests whether two patches face each other, before and after the signs of normals are known,
-// through the shape and through the air.
+// Tests whether two patches face each other, before and after the signs of normals are known.
 
 /// Whether two patches, with normals of arbitrary sign, are on two sheets: the segment between them
 /// is within 60 degrees of both normals, or less if the patches are less planar.
@@ -25,14 +25,14 @@ inline bool are_opposite_sheets(const Patch& a, const Patch& b, const Surface_op
          std::abs(b.normal.dot(d)) * b.planarity > options.along_normal;
 }
 
-/// Whether two oriented patches face each other through the air between two close limbs: normals
-/// are opposite, and each lies in front of the other.
-inline bool face_through_air(const Patch& a, const Patch& b, const Surface_options& options)
+/// Whether two oriented patches face each other, through the solid of a thin limb or through the air
+/// between two limbs: normals are opposite, and each lies above the other or each below it.
+inline bool face_each_other(const Patch& a, const Patch& b, const Surface_options& options)
 {
-  const Vector3 d = (b.mean - a.mean).normalized();
-  const double from_a = a.normal.dot(d), from_b = -b.normal.dot(d);
-  return a.normal.dot(b.normal) < options.opposite_normals && from_a > 0 && from_b > 0 &&
-         from_a + from_b > options.towards;
+  const Vector3 d = b.mean - a.mean;
+  const double above_a = a.normal.dot(d), above_b = -b.normal.dot(d); // heights
+  return a.normal.dot(b.normal) < options.opposite_normals && above_a * above_b > 0 &&
+         std::abs(above_a + above_b) > options.least_gap * std::min(a.resolution(), b.resolution());
 }
 
 /// Returns the least cosine between the normal of a patch and the direction to it at which a place

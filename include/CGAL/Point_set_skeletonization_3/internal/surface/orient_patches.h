@@ -151,7 +151,7 @@ inline std::vector<double> orientation_confidence(const Patches& patches, Concur
   return confidence;
 }
 
-/// Makes patches that face each other through the air non-adjacent, if both orientations are
+/// Makes patches that face each other non-adjacent, if both orientations are
 /// trusted. O(n).
 inline void part_facing_patches(Patches& patches, const std::vector<double>& confidence,
                                 const Surface_options& options, Concurrency concurrency)
@@ -162,7 +162,7 @@ inline void part_facing_patches(Patches& patches, const std::vector<double>& con
                                    [&](std::size_t j) {
                                      return confidence[i] > options.trusted_orientation &&
                                             confidence[j] > options.trusted_orientation &&
-                                            face_through_air(patches[i], patches[j], options);
+                                            face_each_other(patches[i], patches[j], options);
                                    }),
                     neighbors.end());
   });

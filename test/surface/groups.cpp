@@ -1,0 +1,238 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Patches that follow the shape: components merged where they are flat, and what is left of their
+// moments and adjacency.
+
+#include "catch2.h"
+#include "generator/Random.h"
+
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/K_nearest_neighbors.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_groups.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface_options.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/contract_patches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/estimate_patches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/flat_groups.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <set>
+#include <utility>
+#include <vector>
+
+using namespace CGAL::Point_set_skeletonization_3::internal;
+using shapes::Random;
+
+namespace {
+
+constexpr unsigned int seeds[] = {1, 2, 3};
+constexpr double cell = 1.0 / 128;
+constexpr double flatness = 0.025;
+const Surface_options options;
+
+// One component in each of the cells that random places on a surface fall into.
+Gaussians components_on(const std::function<Vector3(Random&)>& place, std::size_t places,
+                        unsigned int seed)
+{
+  Random random(seed);
+  std::set<std::vector<int>> cells;
+  Gaussians result;
+  for(std::size_t i = 0; i < places; ++i) {
+    const Vector3 p = place(random);
+    const Vector3 c = (p / cell).array().floor();
+    if(cells.insert({static_cast<int>(c.x()), static_cast<int>(c.y()), static_cast<int>(c.z())})
+         .second)
+      result.push_back({1 + random.uniform(), p, Matrix3::Zero()});
+  }
+  return result;
+}
+
+Vector3 on_plane(Random& random)
+{
+  const double x = random.uniform(), y = random.uniform();
+  return Vector3(x, y, 0.3 * x + 0.2 * y);
+}
+
+Gaussians sphere(double radius, unsigned int seed)
+{
+  const auto place = [radius](Random& random) { return Vector3(radius * random.direction()); };
+  return components_on(place, 200000, seed);
+}
+
+Patches patches_of(const Gaussians& components)
+{
+  const Box_tree tree(means_of(components));
+  return estimate_patches(
+    components, k_nearest_neighbors(tree, surface_neighbors + 1, Concurrency::sequential), options,
+    Concurrency::sequential);
+}
+
+double width(const Gaussians& components, const Patch_groups::Members& members)
+{
+  Eigen::AlignedBox3d box;
+  for(std::size_t i : members)
+    box.extend(components[i].mean);
+  return box.sizes().maxCoeff();
+}
+
+} // namespace
+
+TEST_CASE("Groups are a partition")
+{
+  const Patch_groups groups({2, 0, 2, 1, 0}, 3);
+  CHECK(groups.size() == 3);
+  const std::vector<std::vector<std::size_t>> expected = {{1, 4}, {3}, {0, 2}};
+  for(std::size_t g = 0; g < groups.size(); ++g) {
+    CHECK(std::vector<std::size_t>(groups[g].begin(), groups[g].end()) == expected[g]);
+    for(std::size_t i : groups[g])
+      CHECK(groups.group_of()[i] == g);
+  }
+  CHECK(Patch_groups(4).size() == 4);
+  CHECK(Patch_groups().size() == 0);
+}
+
+TEST_CASE("A plane is merged into few patches, and the more so the larger it is")
+{
+  for(unsigned int seed : seeds) {
+    CAPTURE(seed);
+    const Gaussians plane = components_on(on_plane, 100000, seed);
+    const Patch_groups groups = flat_groups(plane, cell, flatness);
+    CHECK(groups.size() < plane.size() / 50);
+  }
+}
+
+TEST_CASE("Patches of a sphere are as wide as it is round, however fine its components are")
+{
+  for(unsigned int seed : seeds) {
+    CAPTURE(seed);
+    const Gaussians small = sphere(0.1, seed), large = sphere(0.4, seed);
+    const auto of_small = flat_groups(small, cell, flatness).size();
+    const auto of_large = flat_groups(large, cell, flatness).size();
+    const auto ratio = static_cast<double>(of_large) / static_cast<double>(of_small);
+    CHECK(large.size() > 4 * small.size());
+    CHECK(ratio > 0.3); // widths are powers of two: within a factor of two
+    CHECK(ratio < 3);
+  }
+}
+
+TEST_CASE("Two sheets share hardly a patch if there is a cell between them")
+{
+  for(unsigned int seed : seeds) {
+    CAPTURE(seed);
+    const Gaussians sheets = components_on(
+      [](Random& random) {
+        const double x = random.uniform(), y = random.uniform();
+        return Vector3(x, y, random.uniform() < 0.5 ? 0 : 2 * cell);
+      },
+      100000, seed);
+    const Patch_groups groups =
+      connected_groups(flat_groups(sheets, cell, flatness), patches_of(sheets));
+    std::size_t shared = 0;
+    for(std::size_t g = 0; g < groups.size(); ++g)
+      shared += std::any_of(groups[g].begin(), groups[g].end(), [&](std::size_t i) {
+        return sheets[i].mean.z() != sheets[*groups[g].begin()].mean.z();
+      });
+    CHECK(shared < groups.size() / 50); // at the border, where normals are unreliable
+  }
+}
+
+TEST_CASE("Groups depend on the components only, not on their order")
+{
+  for(unsigned int seed : seeds) {
+    CAPTURE(seed);
+    const Gaussians components = sphere(0.3, seed);
+    Gaussians reversed(components.rbegin(), components.rend());
+    const Patch_groups a = flat_groups(components, cell, flatness),
+                       b = flat_groups(reversed, cell, flatness);
+    REQUIRE(a.size() == b.size());
+    for(std::size_t g = 0; g < a.size(); ++g) {
+      const std::size_t other = b.group_of()[components.size() - 1 - *a[g].begin()];
+      REQUIRE(a[g].size() == b[other].size());
+      for(std::size_t i : a[g])
+        REQUIRE(b.group_of()[components.size() - 1 - i] == other);
+    }
+  }
+}
+
+TEST_CASE("Adjacent patches differ in width by a factor of two at most")
+{
+  for(unsigned int seed : seeds) {
+    CAPTURE(seed);
+    // A plane with a small sphere above it.
+    Gaussians components = components_on(on_plane, 40000, seed);
+    for(Gaussian& g : components)
+      g.mean.z() = 0;
+    for(Gaussian g : sphere(0.05, seed)) {
+      g.mean += Vector3(0.5, 0.5, 0.06);
+      components.push_back(g);
+    }
+    const Patch_groups groups = flat_groups(components, cell, flatness);
+    // The octree cell of a group is at most twice as wide as its components and a cell, and at
+    // least as wide as they are.
+    for(std::size_t i = 0; i < components.size(); ++i)
+      for(std::size_t j = i + 1; j < components.size(); ++j) {
+        if((components[i].mean - components[j].mean).squaredNorm() > cell * cell / 4)
+          continue;
+        const double a = width(components, groups[groups.group_of()[i]]),
+                     b = width(components, groups[groups.group_of()[j]]);
+        // Beside a group that fills its cell.
+        if(std::max(a, b) > 16 * cell)
+          REQUIRE(groups[groups.group_of()[a > b ? j : i]].size() > 1);
+      }
+  }
+}
+
+TEST_CASE("Without cells, or with cells too small for an octree, nothing is merged")
+{
+  const Gaussians components = sphere(0.3, 1);
+  CHECK(flat_groups(components, 0, flatness).size() == components.size());
+  CHECK(flat_groups(components, 1e-9, flatness).size() == components.size());
+}
+
+TEST_CASE("Contraction keeps weight, mean, area and adjacency")
+{
+  for(unsigned int seed : seeds) {
+    CAPTURE(seed);
+    const Gaussians components = sphere(0.4, seed);
+    const Patches fine = patches_of(components);
+    const Patch_groups groups = connected_groups(flat_groups(components, cell, flatness), fine);
+    REQUIRE(groups.size() < components.size() / 4);
+    const Gaussians gaussians = contracted(components, groups, Concurrency::sequential);
+    const Patches patches =
+      contracted(fine, gaussians, groups, options, Concurrency::sequential);
+    double weight = 0, area = 0, fine_weight = 0, fine_area = 0;
+    Vector3 mean = Vector3::Zero(), fine_mean = Vector3::Zero();
+    for(const Patch& patch : patches) {
+      weight += patch.weight;
+      area += patch.area;
+      mean += patch.weight * patch.mean;
+    }
+    for(const Patch& patch : fine) {
+      fine_weight += patch.weight;
+      fine_area += patch.area;
+      fine_mean += patch.weight * patch.mean;
+    }
+    CHECK(weight == Approx(fine_weight));
+    CHECK(area == Approx(fine_area));
+    CHECK((mean - fine_mean).norm() < 1e-9 * weight);
+    std::size_t along = 0; // the radius
+    for(std::size_t g = 0; g < patches.size(); ++g) {
+      along += std::abs(patches[g].normal.dot(patches[g].mean.normalized())) > 0.9;
+      for(std::size_t h : patches[g].neighbors) {
+        REQUIRE(h != g);
+        const std::vector<std::size_t>& back = patches[h].neighbors;
+        REQUIRE(std::binary_search(back.begin(), back.end(), g));
+      }
+    }
+    CHECK(along >= patches.size() - patches.size() / 50);
+    // On one smooth sheet adjacency is that of the components.
+    for(std::size_t i = 0; i < fine.size(); ++i)
+      for(std::size_t j : fine[i].neighbors) {
+        const std::size_t g = groups.group_of()[i], h = groups.group_of()[j];
+        const std::vector<std::size_t>& next = patches[g].neighbors;
+        REQUIRE((g == h || std::binary_search(next.begin(), next.end(), h)));
+      }
+  }
+}
