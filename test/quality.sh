@@ -114,7 +114,8 @@ for row in 1 3 5; do
   has inside $row 1.0000 # of the mesh, which has to be turned as well
 done
 measured() { sed -n "$(($1 + 1))p" table.csv | cut -d, -f3-16; } # of a row, without the seconds
-check "the cloud is turned" test "$(measured 1)" != "$(measured 3)"
+# Without noise the skeleton follows the turn, to the digits of the table.
+check "the cloud is turned" test "$(measured 2)" != "$(measured 4)"
 
 accepts scans --families wire_frame --points 1500 --places 3 --variants clean,drop_outs \
   --csv table.csv
