@@ -17,6 +17,10 @@ struct Curve_options
   /// a cluster of outliers.
   double stray_share = 0.01;
 
+  /// Least mean evidence along a loop, in [0, 1], see `Limb_evidence`; others are opened. 0.6 and
+  /// more where limbs are resolved, 0.3 to 0.5 in crowns in leaf.
+  double loop_evidence = 0.5;
+
   /// Least slenderness of a branch, >= 0: its length beyond a cross-section over half the width of
   /// that. 1 for a dome and the corner of a plate, 1.7 for a cone of 60 degrees, 3 and more for a
   /// finger or toe.
@@ -51,6 +55,7 @@ struct Curve_options
   void check() const
   {
     CGAL_precondition(stray_share >= 0 && stray_share < 1);
+    CGAL_precondition(loop_evidence >= 0 && loop_evidence <= 1);
     CGAL_precondition(slenderness >= 0 && least_points >= 0);
     CGAL_precondition(widest_gap >= 0 && thin_limb >= 0 && aligned > 0 && aligned <= 1);
     CGAL_precondition(step > 0 && half_width > 0 && stiffness >= 0);
@@ -61,6 +66,7 @@ struct Curve_options
   void visit(const Visit& visit)
   {
     visit("stray_share", stray_share);
+    visit("loop_evidence", loop_evidence);
     visit("slenderness", slenderness);
     visit("least_points", least_points);
     visit("widest_gap", widest_gap);

@@ -30,6 +30,10 @@ struct Surface_quotient
 {
   Skeleton_graph graph;
   std::vector<std::size_t> vertex_of_patch;
+
+  /// The patches in whose middle each vertex is: its own; of a piece without any, which is between
+  /// adjacent separators, theirs.
+  std::vector<std::vector<std::size_t>> members;
 };
 
 /// Cuts the surface along separators (union-find). Each separator is a vertex between the pieces on
@@ -208,9 +212,8 @@ inline Surface_quotient surface_quotient(const Patches& patches, const Samples& 
     result.vertex_of_patch.push_back(surface.separator(i) != none ? surface.separator(i)
                                                                    : vertex(surface.piece(i)));
 
-  std::vector<std::vector<std::size_t>> members =
-    patches_of_vertices(result.vertex_of_patch, result.graph.vertices.size());
-  // A piece between adjacent separators may have no patch: it takes those of the separators.
+  std::vector<std::vector<std::size_t>>& members = result.members;
+  members = patches_of_vertices(result.vertex_of_patch, result.graph.vertices.size());
   std::vector<bool> empty(members.size());
   for(std::size_t v = 0; v < members.size(); ++v)
     empty[v] = members[v].empty();

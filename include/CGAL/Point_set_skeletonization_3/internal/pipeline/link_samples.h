@@ -9,6 +9,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/fit_curve.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/limb_evidence.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/open_loops.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
@@ -42,6 +44,9 @@ struct Linking_options
   Separator_options separators;
   Curve_options curve;
 
+  /// Whether the skeleton is known to have no cycle.
+  bool is_tree = false;
+
   /// Whether all components are joined, not only across plausible gaps in the data.
   bool single_component = false;
 
@@ -65,6 +70,7 @@ inline Linked_samples link_samples(const Surface& surface, const Samples& sample
                                    const Progress& progress)
 {
   options.check();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   // Unknown balls count as `noise`: without noise they are where limbs touch, with noise in any
   // thin limb.
   const Ball_overlaps overlaps(surface, samples, noise, options.separators.overlap, concurrency);
@@ -72,9 +78,13 @@ inline Linked_samples link_samples(const Surface& surface, const Samples& sample
   const std::vector<Local_separator> separators =
     local_separators(surface, samples, overlaps, options.separators, concurrency);
   progress(0.6);
-  const Surface_quotient quotient =
+  Surface_quotient quotient =
     surface_quotient(surface.patches, samples, overlaps, separators, concurrency);
-  const Pruned_quotient pruned = prune(quotient, surface.patches, surface.components, surface.groups, options.curve);
+  const std::vector<double> evidence = limb_evidence(surface, samples, quotient, concurrency);
+  quotient.graph = with_loops_opened(std::move(quotient.graph), evidence,
+                                     options.is_tree ? infinity : options.curve.loop_evidence);
+  const Pruned_quotient pruned =
+    prune(quotient, surface.patches, surface.components, surface.groups, options.curve);
   progress(0.7);
 
   const auto is_outlier = [&](std::size_t sample) {

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_LIMB_EVIDENCE_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_LIMB_EVIDENCE_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/principal_axes.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// How well limbs are seen, in [0, 1]: as a solid or as a line, whichever is more. Near 0 where
+/// points are scattered, as in a crown in leaf.
+class Limb_evidence
+{
+public:
+  /// Refers to surface and samples. O(n log n).
+  Limb_evidence(const Surface& surface, const Samples& samples, Concurrency concurrency)
+    : surface_(surface), samples_(samples), components_(surface.components, concurrency)
+  {}
+
+  /// The evidence for a limb at a vertex in the middle of some patches; 0 if there are none.
+  /// O(patches log n) in practice.
+  double operator()(const Skeleton_graph::Vertex& vertex,
+                    const std::vector<std::size_t>& patches) const
+  {
+    constexpr std::size_t enough = 16; // for a mean; the patches of large pieces are many
+    if(patches.empty())
+      return 0;
+    const std::size_t step = (patches.size() + enough - 1) / enough;
+    double solid = 0, number = 0, width = 0;
+    for(std::size_t k = 0; k < patches.size(); k += step, ++number)
+      solid += std::max(0.0, of_solid(patches[k]));
+    for(std::size_t i : patches)
+      width += (surface_.patches[i].mean - vertex.position).norm();
+    width /= static_cast<double>(patches.size());
+    return std::max(solid / number, of_line(vertex.position, std::max(width, vertex.resolution)));
+  }
+
+private:
+  /// All that is near the middle of a solid faces away from it: the mean cosine between the normals
+  /// around the sample of a patch and the directions from it.
+  double of_solid(std::size_t i) const
+  {
+    constexpr double around = 1.3; // radii: the ring of a limb that is wider than thick
+    const Patches& patches = surface_.patches;
+    const Vector3& middle = samples_[i].position;
+    const double radius = (middle - patches[i].mean).norm();
+    double cosines = 0, area = 0;
+    surface_.tree.visit_within(middle, around * radius, [&](std::size_t k, double) {
+      const Patch& patch = patches[surface_.tree.order()[k]];
+      cosines += patch.area * patch.normal.dot((patch.mean - middle).normalized());
+      area += patch.area;
+    });
+    return area > 0 ? cosines / area : 0;
+  }
+
+  /// The linearity of the points around a place, 1 - a / b for the greatest variances b and a, less
+  /// what as many scattered points show by chance.
+  double of_line(const Vector3& place, double half_width) const
+  {
+    constexpr double around = 2.5; // half widths: in the window a limb is longer than wide
+    constexpr double by_chance = 0.95; // times 1 / sqrt(points)
+    Vector3 sum = Vector3::Zero();
+    Matrix3 products = Matrix3::Zero();
+    double number = 0;
+    components_.visit_within(place, around * half_width, [&](std::size_t k, double) {
+      const Vector3 offset = surface_.components[components_.order()[k]] - place;
+      sum += offset;
+      products += offset * offset.transpose();
+      ++number;
+    });
+    if(number < 3)
+      return 0;
+    const Vector3 variances =
+      principal_axes(products / number - sum * sum.transpose() / (number * number)).variances;
+    return variances[2] > 0 ? 1 - variances[1] / variances[2] - by_chance / std::sqrt(number) : 0;
+  }
+
+  const Surface& surface_;
+  const Samples& samples_;
+  Box_tree components_;
+};
+
+/// Returns the evidence for a limb at each vertex of a quotient. O(n log n) in practice.
+inline std::vector<double> limb_evidence(const Surface& surface, const Samples& samples,
+                                         const Surface_quotient& quotient, Concurrency concurrency)
+{
+  const Limb_evidence evidence(surface, samples, concurrency);
+  std::vector<double> result(quotient.members.size());
+  parallel_for(concurrency, result.size(), [&](std::size_t v) {
+    result[v] = evidence(quotient.graph.vertices[v], quotient.members[v]);
+  });
+  return result;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_LIMB_EVIDENCE_H
