@@ -186,12 +186,13 @@ private:
   L1_medial_skeletonization_3(const NamedParameters& np, int)
     : steps_(Point_set_skeletonization_3::internal::progress_of(np)),
       skeletonizer_(Point_set_skeletonization_3::internal::concurrency_of<ConcurrencyTag>(),
-                    Point_set_skeletonization_3::internal::is_single_component(np))
+                    Point_set_skeletonization_3::internal::known_topology(np))
   {
     static_assert(
       Point_set_skeletonization_3::internal::Has_only_input_and<
-        NamedParameters, internal_np::single_component_t>::value,
-      "unknown named parameter: known are point_map, geom_traits, callback, single_component");
+        NamedParameters, internal_np::single_component_t, internal_np::is_tree_t>::value,
+      "unknown named parameter: known are point_map, geom_traits, callback, single_component, "
+      "is_tree");
   }
 
   /// Progress after step 2.

@@ -38,6 +38,10 @@ namespace CGAL {
 ///       the shortest bridges, not only across plausible gaps in the data: for a connected shape.
 ///       `single_component(true, rest)`, see `CGAL/Point_set_skeletonization_3/parameters.h`}
 ///       \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
+///     \cgalParamNBegin{is_tree} \cgalParamDescription{whether the skeleton is known to have no
+///       cycle, as that of a tree or a plant: every cycle is opened where the evidence for a limb is
+///       least, instead of only those without enough of it} \cgalParamType{`bool`}
+///       \cgalParamDefault{`false`} \cgalParamNEnd
 ///   \cgalNamedParamsEnd
 ///
 /// O(n) for reading the points three times; the rest is O(m log m) in practice for m grid cells, one
@@ -65,7 +69,7 @@ bool extract_l1_medial_skeleton(const PointRange& points, Skeleton& skeleton,
 }
 
 /// The same for the points of a builder. All `indices` of the skeleton are empty. Named parameters
-/// are `callback` and `single_component`.
+/// are `callback`, `single_component` and `is_tree`.
 template <typename ConcurrencyTag = Sequential_tag, typename Traits, typename Skeleton,
           typename NamedParameters = parameters::Default_named_parameters>
 bool extract_l1_medial_skeleton(const Gaussian_mixture_builder_3<Traits>& points,

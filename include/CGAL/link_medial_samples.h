@@ -29,7 +29,7 @@ namespace CGAL {
 /// \param skeleton replaced by the result; left untouched if the callback cancels or on an
 ///        exception. The `indices` of a vertex, if it has them, are the positions of its samples in
 ///        `samples.samples`
-/// \param np `callback`, `single_component`; see `extract_l1_medial_skeleton()`
+/// \param np `callback`, `single_component`, `is_tree`; see `extract_l1_medial_skeleton()`
 /// \returns `false` if the callback cancelled
 /// \throws std::invalid_argument if a mean is not finite, or a point of the surface; the message
 ///         names it by its position
@@ -43,12 +43,12 @@ bool link_medial_samples(const Medial_samples_3<GeomTraits>& samples, SkeletonGr
 {
   namespace internal = Point_set_skeletonization_3::internal;
   static_assert(internal::Has_only<NamedParameters, internal_np::callback_t,
-                                   internal_np::single_component_t>::value,
-                "unknown named parameter: known are callback, single_component");
+                                   internal_np::single_component_t, internal_np::is_tree_t>::value,
+                "unknown named parameter: known are callback, single_component, is_tree");
   CGAL_precondition(samples.noise >= 0 && samples.noise <= 1);
   CGAL_precondition(internal::has_points_of_all_samples(samples));
   internal::Skeletonizer skeletonizer(internal::concurrency_of<ConcurrencyTag>(),
-                                      internal::is_single_component(np));
+                                      internal::known_topology(np));
   skeletonizer.set_samples(internal::to_plain(samples));
   internal::Steps steps(internal::progress_of(np));
   if(!steps.run(1, 0, 1, [&](const internal::Progress& progress) { skeletonizer.link(progress); }))

@@ -10,6 +10,7 @@ namespace CGAL {
 namespace internal_np {
 
 enum single_component_t { single_component };
+enum is_tree_t { is_tree };
 
 } // namespace internal_np
 
@@ -35,6 +36,9 @@ struct Parameter
 
 /// The named parameter `single_component`.
 inline constexpr Parameter<internal_np::single_component_t, bool> single_component{};
+
+/// The named parameter `is_tree`.
+inline constexpr Parameter<internal_np::is_tree_t, bool> is_tree{};
 
 } // namespace parameters
 } // namespace CGAL

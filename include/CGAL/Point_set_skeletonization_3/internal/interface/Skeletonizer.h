@@ -9,6 +9,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/linkage.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/plain_data.h>
+#include <CGAL/Point_set_skeletonization_3/internal/pipeline/Known_topology.h>
 
 #include <cstddef>
 #include <memory>
@@ -27,7 +28,7 @@ class Skeletonizer
 {
 public:
   /// With the default options.
-  explicit Skeletonizer(Concurrency concurrency, bool single_component = false);
+  explicit Skeletonizer(Concurrency concurrency, const Known_topology& known = Known_topology());
   Skeletonizer(Skeletonizer&&) noexcept;
   Skeletonizer& operator=(Skeletonizer&&) noexcept;
   ~Skeletonizer();

@@ -123,11 +123,11 @@ struct Skeletonizer::State
 };
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
-Skeletonizer::Skeletonizer(Concurrency concurrency, bool single_component)
+Skeletonizer::Skeletonizer(Concurrency concurrency, const Known_topology& known)
   : state_(std::make_unique<State>())
 {
   state_->concurrency = concurrency;
-  state_->options.linking.single_component = single_component;
+  state_->options.linking.known = known;
 }
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE

@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/pipeline/Known_topology.h>
 #include <CGAL/Point_set_skeletonization_3/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -102,12 +103,14 @@ Progress progress_of(const NamedParameters& np)
     parameters::get_parameter(np, internal_np::callback), std::function<bool(double)>()));
 }
 
-/// The named parameter `single_component`.
+/// The named parameters `single_component` and `is_tree`.
 template <typename NamedParameters>
-bool is_single_component(const NamedParameters& np)
+Known_topology known_topology(const NamedParameters& np)
 {
-  return parameters::choose_parameter(
-    parameters::get_parameter(np, internal_np::single_component), false);
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  return {choose_parameter(get_parameter(np, internal_np::single_component), false),
+          choose_parameter(get_parameter(np, internal_np::is_tree), false)};
 }
 
 } // namespace internal

@@ -14,6 +14,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
+#include <CGAL/Point_set_skeletonization_3/internal/pipeline/Known_topology.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Ball_overlaps.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Separator_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/local_separators.h>
@@ -44,11 +45,7 @@ struct Linking_options
   Separator_options separators;
   Curve_options curve;
 
-  /// Whether the skeleton is known to have no cycle.
-  bool is_tree = false;
-
-  /// Whether all components are joined, not only across plausible gaps in the data.
-  bool single_component = false;
+  Known_topology known;
 
   /// Checks all ranges.
   void check() const
@@ -82,7 +79,7 @@ inline Linked_samples link_samples(const Surface& surface, const Samples& sample
     surface_quotient(surface.patches, samples, overlaps, separators, concurrency);
   const std::vector<double> evidence = limb_evidence(surface, samples, quotient, concurrency);
   quotient.graph = with_loops_opened(std::move(quotient.graph), evidence,
-                                     options.is_tree ? infinity : options.curve.loop_evidence);
+                                     options.known.is_tree ? infinity : options.curve.loop_evidence);
   const Pruned_quotient pruned =
     prune(quotient, surface.patches, surface.components, surface.groups, options.curve);
   progress(0.7);
@@ -95,7 +92,7 @@ inline Linked_samples link_samples(const Surface& surface, const Samples& sample
                points.end());
   Linked_samples result;
   result.graph = fit_curve(pruned.graph, surface, samples, points, noise,
-                           options.single_component, options.curve, concurrency);
+                           options.known.single_component, options.curve, concurrency);
   progress(0.95);
   result.vertex_of_sample = vertices_of_samples(result.graph, surface, samples, concurrency);
   for(std::size_t i = 0; i < samples.size(); ++i)
