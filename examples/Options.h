@@ -73,6 +73,8 @@ inline void check_output(const std::string& filename, const std::string& input)
     fail("there is no folder '" + folder.string() + "'");
   if(std::filesystem::is_directory(path, ignored))
     fail("it is a folder");
+  if(std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
+    fail("it is no ordinary file");
   if(std::filesystem::equivalent(path, input, ignored))
     fail("it is the input");
 }
@@ -81,12 +83,15 @@ inline void check_outputs(const Options& options)
 {
   using CGAL::Point_set_skeletonization_3::internal::target_of_output;
   std::set<std::filesystem::path> files;
+  const auto canonical = [](const std::string& filename) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(target_of_output(filename)));
+  };
   for(const std::string& output : options.outputs) {
     if(!CGAL::IO::is_curve_skeleton_filename(output))
       throw std::runtime_error("cannot write '" + output +
                                "': name it .polylines.txt, .obj or .ply");
     check_output(output, options.input);
-    if(!files.insert(std::filesystem::weakly_canonical(target_of_output(output))).second)
+    if(!files.insert(canonical(output)).second)
       throw std::runtime_error("cannot write '" + output + "': this output is given twice");
   }
   if(options.points.empty())
