@@ -191,7 +191,8 @@ private:
     static_assert(
       Point_set_skeletonization_3::internal::Has_only_input_and<
         NamedParameters, internal_np::single_component_t>::value,
-      "unknown named parameter: known are point_map, geom_traits, callback, single_component");
+      "unknown named parameter: known are point_map, geom_traits, callback, "
+      "maximum_running_time, single_component");
   }
 
   /// Progress after step 2.
