@@ -62,6 +62,12 @@ public:
     return from_unit(p).cwiseMax(lower_).cwiseMin(upper_);
   }
 
+  /// Maps a length to the unit of the input; one that is no number there is the largest.
+  double length_from_unit(double length) const
+  {
+    return std::min(length * diagonal_, std::numeric_limits<double>::max());
+  }
+
   /// Whether a point of the input is in the box.
   bool contains(const Vector3& p) const
   {

@@ -83,7 +83,8 @@ inline Plain_skeleton to_plain(const Skeleton_graph& graph, const Normalization&
   Plain_skeleton result;
   for(const Skeleton_graph::Vertex& vertex : graph.vertices) {
     const Vector3 p = normalization.from_unit_in_box(vertex.position);
-    result.vertices.push_back({{{p.x(), p.y(), p.z()}}, vertex.radius * normalization.diagonal()});
+    result.vertices.push_back(
+      {{{p.x(), p.y(), p.z()}}, normalization.length_from_unit(vertex.radius)});
   }
   result.edges = graph.edges;
   return result;
