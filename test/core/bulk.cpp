@@ -50,15 +50,15 @@ Bulk bulk_of(const Points& points, std::size_t parts = 1)
   return found;
 }
 
-Extent box_of(const Points& points)
+Box box_of(const Points& points)
 {
-  Extent box;
+  Box box;
   for(const Vector3& p : points)
-    box.add(0, p);
+    box.add(p);
   return box;
 }
 
-bool are_equal(const Extent& a, const Extent& b)
+bool are_equal(const Box& a, const Box& b)
 {
   return a.lower() == b.lower() && a.upper() == b.upper();
 }

@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -33,7 +32,7 @@ public:
   struct Cell
   {
     std::size_t size = 0;
-    Extent box;
+    Box box;
   };
 
   /// The lower corner of a cell.
@@ -46,7 +45,7 @@ public:
     if(cells_.empty() || corner != corners_[last_]) // often the cell of the point before
       last_ = number_of(corner);
     ++cells_[last_].size;
-    cells_[last_].box.add(0, p);
+    cells_[last_].box.add(p);
     limit();
   }
 
@@ -54,9 +53,10 @@ public:
   void add(const Bulk_cells& others)
   {
     coarsen_to(std::max(level_, others.level_));
-    for(std::size_t i = 0; i < others.cells_.size(); ++i)
+    for(std::size_t i = 0; i < others.cells_.size(); ++i) {
       add(others.cells_[i], grid_.corner_of(others.corners_[i]));
-    limit();
+      limit();
+    }
   }
 
   const std::vector<Cell>& cells() const { return cells_; }
@@ -69,7 +69,7 @@ public:
     level_ = std::min(level, coarsest_level);
     grid_ = Grid(level_);
     last_ = 0;
-    number_of_.clear();
+    slots_.assign(number_of_slots, 0);
     const std::vector<Corner> corners = std::exchange(corners_, {});
     const std::vector<Cell> cells = std::exchange(cells_, {});
     for(std::size_t i = 0; i < cells.size(); ++i)
@@ -84,16 +84,17 @@ public:
       for(int y = -1; y <= 1; ++y)
         for(int z = -1; z <= 1; ++z) {
           const Corner& corner = corners_[i];
-          const auto found = number_of_.find({{corner[0] + x * grid_.width,
-                                               corner[1] + y * grid_.width,
-                                               corner[2] + z * grid_.width}});
-          if(found != number_of_.end())
-            visit(found->second);
+          const std::uint32_t cell = slots_[slot_of({{corner[0] + x * grid_.width,
+                                                      corner[1] + y * grid_.width,
+                                                      corner[2] + z * grid_.width}})];
+          if(cell != 0)
+            visit(cell - 1);
         }
   }
 
 private:
   static constexpr std::size_t most_cells = 1 << 12;
+  static constexpr std::size_t number_of_slots = 4 * most_cells;
   static constexpr int finest_level = -1022, coarsest_level = 1023; ///< Logarithms of widths.
 
   struct Hash
@@ -122,7 +123,14 @@ private:
 
     double corner_of(double x) const
     {
-      return std::abs(x) < multiples ? std::floor(x * inverse) * width : x;
+      // Rounds a number of less than 52 bits; std::floor() would be a function call.
+      constexpr double half_bits = 0x1p51, to_integer = 0x1.8p52;
+      const double scaled = x * inverse;
+      if(std::abs(scaled) < half_bits) {
+        const double rounded = (scaled + to_integer) - to_integer;
+        return (rounded > scaled ? rounded - 1 : rounded) * width;
+      }
+      return std::abs(x) < multiples ? std::floor(scaled) * width : x;
     }
 
     Corner corner_of(const Corner& p) const
@@ -139,13 +147,22 @@ private:
   /// The cell with this corner, which is added if it is new.
   std::size_t number_of(const Corner& corner)
   {
-    const auto [found, is_new] =
-        number_of_.emplace(corner, static_cast<std::uint32_t>(cells_.size()));
-    if(is_new) {
+    std::uint32_t& slot = slots_[slot_of(corner)];
+    if(slot == 0) {
       cells_.emplace_back();
       corners_.push_back(corner);
+      slot = static_cast<std::uint32_t>(cells_.size());
     }
-    return found->second;
+    return slot - 1;
+  }
+
+  /// The slot of a cell, or the free slot where it would be: at most a quarter of them is taken.
+  std::size_t slot_of(const Corner& corner) const
+  {
+    std::size_t slot = Hash()(corner) % number_of_slots;
+    while(slots_[slot] != 0 && corners_[slots_[slot] - 1] != corner)
+      slot = (slot + 1) % number_of_slots;
+    return slot;
   }
 
   void add(const Cell& cell, const Corner& corner)
@@ -186,10 +203,10 @@ private:
 
   int level_ = finest_level;
   Grid grid_{finest_level};
-  std::unordered_map<Corner, std::uint32_t, Hash> number_of_;
+  std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(number_of_slots, 0); ///< 1 + cell.
   std::vector<Corner> corners_;
   std::vector<Cell> cells_;
-  std::size_t last_ = 0; ///< The cell that a point was added to.
+  std::size_t last_ = 0; ///< The cell that a point was added to last.
 };
 
 /// Finds the bulk of a cloud: all points but at most a thousandth of them that are farther away from
@@ -203,15 +220,16 @@ public:
   /// Adds the `i`-th point.
   void add(std::size_t i, const Vector3& p)
   {
-    extent_.add(i, p);
-    if(p.allFinite() && contains(p))
+    if(!p.allFinite())
+      not_finite_ = std::min(not_finite_, i);
+    else if(contains(p))
       cells_.add(p);
   }
 
   /// Adds the points of another part of the same pass.
   void add(const Bulk& other)
   {
-    extent_.add(other.extent_);
+    not_finite_ = std::min(not_finite_, other.not_finite_);
     cells_.add(other.cells_);
   }
 
@@ -221,7 +239,7 @@ public:
   /// \throws std::invalid_argument that names the first point with a coordinate that is not finite
   bool end_pass()
   {
-    extent_.check();
+    check_finite(not_finite_);
     std::size_t size = 0;
     for(const Bulk_cells::Cell& cell : cells_.cells())
       size += cell.size;
@@ -229,13 +247,12 @@ public:
     number_of_far_ = size_ - size;
     const auto [bulk, is_all] = bulk_of(cells_, size_ / 1000 - number_of_far_);
     box_ = bulk;
-    extent_ = Extent();
     cells_ = Bulk_cells();
     return is_all;
   }
 
   /// The bounding box of the bulk. \pre the last pass has ended
-  const Extent& box() const { return box_; }
+  const Box& box() const { return box_; }
 
   /// Number of points outside of it. \pre the last pass has ended
   std::size_t number_of_far() const { return number_of_far_; }
@@ -244,7 +261,7 @@ private:
   /// A box, and whether it contains all cells.
   struct Bulk_box
   {
-    Extent box;
+    Box box;
     bool is_all;
   };
 
@@ -256,12 +273,12 @@ private:
     return (p / 2 - q / 2).cwiseAbs().maxCoeff();
   }
 
-  static double farthest(const Extent& box, const Vector3& p)
+  static double farthest(const Box& box, const Vector3& p)
   {
     return std::max(half_distance(box.lower(), p), half_distance(box.upper(), p));
   }
 
-  static double nearest(const Extent& box, const Vector3& p)
+  static double nearest(const Box& box, const Vector3& p)
   {
     return half_distance(p.cwiseMax(box.lower()).cwiseMin(box.upper()), p);
   }
@@ -308,7 +325,7 @@ private:
   /// All but at most `most` points that are farther from the centre than twice the shape.
   static Bulk_box bulk_of(const Bulk_cells& cells, std::size_t most)
   {
-    Extent all;
+    Box all;
     for(const Bulk_cells::Cell& cell : cells.cells())
       all.add(cell.box);
     if(cells.cells().empty() || most == 0)
@@ -338,7 +355,7 @@ private:
       wide.visit_neighbors(reached[k], reach);
     }
 
-    Bulk_box result{Extent(), true};
+    Bulk_box result{Box(), true};
     for(const Bulk_cells::Cell& cell : wide.cells())
       if(nearest(cell.box, centre) <= 2 * shape)
         result.box.add(cell.box);
@@ -347,10 +364,10 @@ private:
     return result;
   }
 
-  Extent extent_;     ///< Of the points of the pass.
-  Bulk_cells cells_;  ///< Of those in the box.
-  Extent box_;        ///< As known from the passes before.
-  std::size_t size_ = 0; ///< Number of points of the cloud; 0 in the first pass.
+  std::size_t not_finite_ = none_not_finite;
+  Bulk_cells cells_;              ///< Of the points of the pass that are in the box.
+  Box box_;                       ///< As known from the passes before.
+  std::size_t size_ = 0;          ///< Number of points of the cloud; 0 in the first pass.
   std::size_t number_of_far_ = 0;
 };
 
