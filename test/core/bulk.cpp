@@ -24,7 +24,9 @@ using Points = std::vector<Vector3>;
 Points random_points(std::size_t size, double extent, unsigned int seed)
 {
   std::mt19937 engine(seed);
-  const auto coordinate = [&] { return extent * (static_cast<double>(engine()) / 4294967296. - 0.5); };
+  const auto coordinate = [&] {
+    return extent * (static_cast<double>(engine()) / 4294967296. - 0.5);
+  };
   Points points;
   while(points.size() < size) {
     const double x = coordinate(), y = coordinate(), z = coordinate();

@@ -22,10 +22,10 @@ namespace Point_set_skeletonization_3 {
 namespace internal {
 
 /// Points in the finest cubic grid of which they occupy at most 4096 cells: with the number and the
-/// bounding box of the points of each cell. The widths of cells are powers of two in the coordinates
-/// of the input, from the least to the greatest number, so that neither the box of the points nor
-/// their order matters: cells are as fine as the bulk of the points allows, however far away others
-/// are.
+/// bounding box of the points of each cell. The widths of cells are powers of two in the
+/// coordinates of the input, from the least to the greatest number, so that neither the box of the
+/// points nor their order matters: cells are as fine as the bulk of the points allows, however far
+/// away others are.
 class Bulk_cells
 {
 public:
@@ -84,9 +84,9 @@ public:
       for(int y = -1; y <= 1; ++y)
         for(int z = -1; z <= 1; ++z) {
           const Corner& corner = corners_[i];
-          const std::uint32_t cell = slots_[slot_of({{corner[0] + x * grid_.width,
-                                                      corner[1] + y * grid_.width,
-                                                      corner[2] + z * grid_.width}})];
+          const std::uint32_t cell =
+              slots_[slot_of({{corner[0] + x * grid_.width, corner[1] + y * grid_.width,
+                               corner[2] + z * grid_.width}})];
           if(cell != 0)
             visit(cell - 1);
         }
@@ -117,8 +117,9 @@ private:
   struct Grid
   {
     explicit Grid(int level)
-      : width(std::ldexp(1, level)), inverse(std::ldexp(1, -level)),
-        multiples(std::ldexp(1, std::min(level + 53, 1023)))
+        : width(std::ldexp(1, level))
+        , inverse(std::ldexp(1, -level))
+        , multiples(std::ldexp(1, std::min(level + 53, 1023)))
     {}
 
     double corner_of(double x) const
@@ -209,9 +210,9 @@ private:
   std::size_t last_ = 0; ///< The cell that a point was added to last.
 };
 
-/// Finds the bulk of a cloud: all points but at most a thousandth of them that are farther away from
-/// the rest than the rest is large. Those are no part of the shape, as the gap is as wide as it, and
-/// too few to be another one; but in its bounding box the shape would be small.
+/// Finds the bulk of a cloud: all points but at most a thousandth of them that are farther away
+/// from the rest than the rest is large. Those are no part of the shape, as the gap is as wide as
+/// it, and too few to be another one; but in its bounding box the shape would be small.
 ///
 /// Points are added in passes over the cloud, nearly always one.
 class Bulk
@@ -365,9 +366,9 @@ private:
   }
 
   std::size_t not_finite_ = none_not_finite;
-  Bulk_cells cells_;              ///< Of the points of the pass that are in the box.
-  Box box_;                       ///< As known from the passes before.
-  std::size_t size_ = 0;          ///< Number of points of the cloud; 0 in the first pass.
+  Bulk_cells cells_;     ///< Of the points of the pass that are in the box.
+  Box box_;              ///< As known from the passes before.
+  std::size_t size_ = 0; ///< Number of points of the cloud; 0 in the first pass.
   std::size_t number_of_far_ = 0;
 };
 
