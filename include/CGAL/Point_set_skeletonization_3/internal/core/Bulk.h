@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -69,8 +68,7 @@ public:
     level_ = std::min(level, coarsest_level);
     grid_ = Grid(level_);
     last_ = 0;
-    slots_.assign(number_of_slots, 0);
-    const std::vector<Corner> corners = std::exchange(corners_, {});
+    const Corners corners = std::exchange(corners_, Corners());
     const std::vector<Cell> cells = std::exchange(cells_, {});
     for(std::size_t i = 0; i < cells.size(); ++i)
       add(cells[i], grid_.corner_of(corners[i]));
@@ -84,17 +82,16 @@ public:
       for(int y = -1; y <= 1; ++y)
         for(int z = -1; z <= 1; ++z) {
           const Corner& corner = corners_[i];
-          const std::uint32_t cell =
-              slots_[slot_of({{corner[0] + x * grid_.width, corner[1] + y * grid_.width,
-                               corner[2] + z * grid_.width}})];
-          if(cell != 0)
-            visit(cell - 1);
+          const std::size_t cell =
+              corners_.find({{corner[0] + x * grid_.width, corner[1] + y * grid_.width,
+                              corner[2] + z * grid_.width}});
+          if(cell < cells_.size())
+            visit(cell);
         }
   }
 
 private:
   static constexpr std::size_t most_cells = 1 << 12;
-  static constexpr std::size_t number_of_slots = 4 * most_cells;
   static constexpr int finest_level = -1022, coarsest_level = 1023; ///< Logarithms of widths.
 
   struct Hash
@@ -145,25 +142,55 @@ private:
 
   Corner corner_of(const Vector3& p) const { return grid_.corner_of(Corner{{p[0], p[1], p[2]}}); }
 
+  /// Corners in the order in which they were inserted, with a table of their numbers.
+  class Corners
+  {
+  public:
+    std::size_t size() const { return corners_.size(); }
+    const Corner& operator[](std::size_t i) const { return corners_[i]; }
+
+    /// The number of a corner, which is inserted if it is new.
+    std::size_t inserted(const Corner& corner)
+    {
+      std::uint32_t& slot = slots_[slot_of(corner)];
+      if(slot == 0) {
+        corners_.push_back(corner);
+        slot = static_cast<std::uint32_t>(corners_.size());
+      }
+      return slot - 1;
+    }
+
+    /// The number of a corner; `size()` if it is not there.
+    std::size_t find(const Corner& corner) const
+    {
+      const std::uint32_t slot = slots_[slot_of(corner)];
+      return slot == 0 ? size() : slot - 1;
+    }
+
+  private:
+    static constexpr std::size_t number_of_slots = 4 * most_cells;
+
+    /// The slot of a corner, or the free slot where it would be: at most a quarter of them is
+    /// taken.
+    std::size_t slot_of(const Corner& corner) const
+    {
+      std::size_t slot = Hash()(corner) % number_of_slots;
+      while(slots_[slot] != 0 && corners_[slots_[slot] - 1] != corner)
+        slot = (slot + 1) % number_of_slots;
+      return slot;
+    }
+
+    std::vector<Corner> corners_;
+    std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(number_of_slots, 0); ///< From 1.
+  };
+
   /// The cell with this corner, which is added if it is new.
   std::size_t number_of(const Corner& corner)
   {
-    std::uint32_t& slot = slots_[slot_of(corner)];
-    if(slot == 0) {
+    const std::size_t number = corners_.inserted(corner);
+    if(number == cells_.size())
       cells_.emplace_back();
-      corners_.push_back(corner);
-      slot = static_cast<std::uint32_t>(cells_.size());
-    }
-    return slot - 1;
-  }
-
-  /// The slot of a cell, or the free slot where it would be: at most a quarter of them is taken.
-  std::size_t slot_of(const Corner& corner) const
-  {
-    std::size_t slot = Hash()(corner) % number_of_slots;
-    while(slots_[slot] != 0 && corners_[slots_[slot] - 1] != corner)
-      slot = (slot + 1) % number_of_slots;
-    return slot;
+    return number;
   }
 
   void add(const Cell& cell, const Corner& corner)
@@ -176,25 +203,26 @@ private:
   bool are_few_at(int level) const
   {
     const Grid grid(level);
-    std::unordered_set<Corner, Hash> corners;
-    for(const Corner& corner : corners_)
-      if(corners.insert(grid.corner_of(corner)).second && corners.size() > most_cells)
+    Corners coarse;
+    for(std::size_t i = 0; i < corners_.size(); ++i)
+      if(coarse.inserted(grid.corner_of(corners_[i])) == most_cells)
         return false;
     return true;
   }
 
-  /// Coarsens until there are few enough: grids of powers of two are nested, so by a galloping
+  /// Coarsens until there are few enough: grids of powers of two are nested, so by a binary
   /// search.
   void limit()
   {
     if(cells_.size() <= most_cells)
       return;
-    int many = level_, step = 1;
-    while(many + step < coarsest_level && !are_few_at(many + step)) {
-      many += step;
-      step *= 2;
+    // At first nothing is known of the width; later a slightly greater one will do.
+    int many = level_, few = level_ == finest_level ? coarsest_level : many + 1;
+    while(few < coarsest_level && !are_few_at(few)) {
+      const int step = few - many;
+      many = few;
+      few = std::min(few + 2 * step, coarsest_level);
     }
-    int few = std::min(many + step, coarsest_level);
     while(few - many > 1) {
       const int middle = many + (few - many) / 2;
       (are_few_at(middle) ? few : many) = middle;
@@ -204,10 +232,9 @@ private:
 
   int level_ = finest_level;
   Grid grid_{finest_level};
-  std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(number_of_slots, 0); ///< 1 + cell.
-  std::vector<Corner> corners_;
-  std::vector<Cell> cells_;
-  std::size_t last_ = 0; ///< The cell that a point was added to last.
+  Corners corners_;
+  std::vector<Cell> cells_; ///< In the order of the corners.
+  std::size_t last_ = 0;    ///< The cell that a point was added to last.
 };
 
 /// Finds the bulk of a cloud: all points but at most a thousandth of them that are farther away
