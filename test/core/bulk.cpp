@@ -107,14 +107,14 @@ TEST_CASE("More than a thousandth is another part of the shape")
 
 TEST_CASE("Far points at every distance, more than there are cells")
 {
-  const Points near = random_points(6000000, 1, 13);
+  const Points near = random_points(4300000, 1, 13);
   Points points = near;
   double distance = 50;
-  for(const Vector3& p : random_points(5900, 1, 15))
+  for(const Vector3& p : random_points(4300, 1, 15))
     points.push_back((distance *= 1.1) * p.normalized());
   const Bulk bulk = bulk_of(points, 2);
   CHECK(are_equal(bulk.box(), box_of(near)));
-  CHECK(bulk.number_of_far() == 5900);
+  CHECK(bulk.number_of_far() == 4300);
 }
 
 TEST_CASE("The first point that is not finite is named")
