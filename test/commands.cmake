@@ -5,6 +5,7 @@ if(TARGET skeletonize_point_set)
     add_test(NAME ${name} COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/${name}.sh"
                                   $<TARGET_FILE:skeletonize_point_set>)
   endforeach()
+  set_tests_properties(program_signals PROPERTIES RUN_SERIAL ON) # it measures time
 endif()
 foreach(program IN ITEMS quality performance compare_skeletons)
   if(TARGET ${program})
