@@ -4,7 +4,10 @@
 #ifndef POINT_SET_SKELETONIZATION_3_EXAMPLES_OPTIONS_H
 #define POINT_SET_SKELETONIZATION_3_EXAMPLES_OPTIONS_H
 
+#include "Format.h"
+
 #include <CGAL/IO/Curve_skeleton_3.h>
+#include <CGAL/Point_set_skeletonization_3/internal/io/Output_file.h>
 
 #include <CLI/CLI.hpp>
 
@@ -32,7 +35,9 @@ struct Published_symbols
 /// The command line of `skeletonize_point_set`.
 struct Options
 {
-  std::string input;
+  std::string input; ///< "-": standard input
+  std::string format; ///< by its extension; empty: as the input is called
+  bool skip_invalid = false;
   std::vector<std::string> outputs;
   std::string points;
   bool as_published = false;
@@ -57,32 +62,38 @@ struct Parsed
 /// \throw std::runtime_error
 inline void check_output(const std::string& filename, const std::string& input)
 {
+  using CGAL::Point_set_skeletonization_3::internal::target_of_output;
   const auto fail = [&filename](const std::string& why) {
     throw std::runtime_error("cannot write '" + filename + "': " + why);
   };
-  const std::filesystem::path path(filename);
+  const std::filesystem::path path = target_of_output(filename);
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   std::error_code ignored;
   if(!std::filesystem::is_directory(folder, ignored))
     fail("there is no folder '" + folder.string() + "'");
   if(std::filesystem::is_directory(path, ignored))
     fail("it is a folder");
+  if(std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
+    fail("it is no ordinary file");
   if(std::filesystem::equivalent(path, input, ignored))
     fail("it is the input");
 }
 
 inline void check_outputs(const Options& options)
 {
-  std::set<std::string> names;
+  using CGAL::Point_set_skeletonization_3::internal::target_of_output;
+  std::set<std::filesystem::path> files;
+  const auto canonical = [](const std::string& filename) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(target_of_output(filename)));
+  };
   for(const std::string& output : options.outputs) {
     if(!CGAL::IO::is_curve_skeleton_filename(output))
       throw std::runtime_error("cannot write '" + output +
                                "': name it .polylines.txt, .obj or .ply");
     check_output(output, options.input);
-    names.insert(output);
+    if(!files.insert(canonical(output)).second)
+      throw std::runtime_error("cannot write '" + output + "': this output is given twice");
   }
-  if(names.size() < options.outputs.size())
-    throw std::runtime_error("an output is given twice");
   if(options.points.empty())
     return;
   if(std::filesystem::path(options.points).extension() != ".xyz")
@@ -137,7 +148,7 @@ inline void add_stream_options(CLI::App& app, Options& options)
 {
   CLI::Option* stream =
       app.add_flag("--stream", options.stream,
-                   "read .ply, .xyz or .las point after point, in little memory of any size");
+                   "read point after point, in little memory for a file of any size");
   for(const char* other : {"--as-published", "--sample", "--points"})
     stream->excludes(app.get_option(other));
   app.add_option("--box", options.box,
@@ -153,8 +164,13 @@ inline Parsed parse_options(int argc, char** argv)
   Options options;
   CLI::App app("Curve skeleton of a raw point cloud: no normals, no mesh needed.",
                "skeletonize_point_set");
-  app.add_option("INPUT", options.input, ".off, .ply, .xyz or .las; a mesh's vertices are points")
+  app.add_option("INPUT", options.input, point_files::names_of_formats() +
+                                              " or - for standard input; of a mesh, its vertices")
       ->required();
+  app.add_option("--format", options.format, "of INPUT, by its extension [as it is called]")
+      ->type_name("EXTENSION");
+  app.add_flag("--skip-invalid", options.skip_invalid,
+               "leave out and count rows of INPUT that are no finite point");
   app.add_option("-o,--output", options.outputs,
                  "skeleton to write: .polylines.txt, .obj or .ply; may be repeated")
       ->allow_extra_args(false);

@@ -3,6 +3,7 @@
 
 // Reads a point cloud, writes its curve skeleton. `skeletonize_point_set --help` tells the options.
 
+#include "End_on_signals.h"
 #include "Options.h"
 #include "Progress_bar.h"
 #include "for_each_point.h"
@@ -27,10 +28,10 @@
 #include <tbb/info.h>
 #endif
 
-#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -43,6 +44,14 @@ using Point = Kernel::Point_3;
 using Builder = CGAL::Gaussian_mixture_builder_3<Kernel>;
 using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
 
+// What was read.
+struct Reading
+{
+  std::size_t points = 0;
+  std::optional<std::size_t> skipped; // rows, if that was asked for
+  std::optional<double> seconds;      // of a stream: with the moments, which are not kept apart
+};
+
 // What --stats prints, and the skeleton.
 struct Result
 {
@@ -50,19 +59,11 @@ struct Result
   std::size_t mixture = 0;
   std::size_t samples = 0;
   std::optional<std::size_t> iterations; // of the published method
-  std::optional<double> reading_seconds; // of a stream: with the moments, which are not kept apart
+  std::size_t outliers = 0;              // points that are in no vertex
   double mixture_seconds = 0;
   double projection_seconds = 0;
   double linking_seconds = 0;
 };
-
-// Set by Ctrl-C, which cancels at the next report of progress.
-volatile std::sig_atomic_t interrupted = 0;
-
-extern "C" void on_interrupt(int)
-{
-  interrupted = 1;
-}
 
 // Runs one stage and returns its seconds.
 template <typename Stage>
@@ -70,18 +71,30 @@ double seconds_of(const Stage& stage)
 {
   CGAL::Real_timer timer;
   timer.start();
-  if(!stage())
-    throw std::runtime_error("interrupted");
+  stage();
   return timer.time();
 }
 
-// The progress bar as a callback, which Ctrl-C makes cancel.
 auto callback_of(Progress_bar& bar)
 {
   return CGAL::parameters::callback([&bar](double fraction) {
     bar.show(fraction);
-    return interrupted == 0;
+    return true;
   });
+}
+
+template <typename ConcurrencyTag>
+std::size_t
+outliers_of(const CGAL::L1_medial_skeletonization_3<Kernel, ConcurrencyTag>& steps)
+{
+  return steps.number_of_outliers();
+}
+
+// The published method drops no point.
+template <typename ConcurrencyTag>
+std::size_t outliers_of(const CGAL::Published_l1_medial_skeletonization_3<Kernel, ConcurrencyTag>&)
+{
+  return 0;
 }
 
 // Runs the steps of either method.
@@ -94,6 +107,7 @@ Result run_steps(Skeletonization& steps)
   result.linking_seconds = seconds_of([&] { return steps.link(); });
   result.mixture = steps.number_of_components();
   result.samples = steps.number_of_samples();
+  result.outliers = outliers_of(steps);
   std::move(steps).extract_skeleton(result.skeleton);
   return result;
 }
@@ -155,24 +169,53 @@ Result skeletonize_with_threads(const Points& points, const Options& options, Pr
 }
 #endif
 
-std::vector<Point> load(const Options& options)
+point_files::Reading_options reading_options(const Options& options, Progress_bar& bar)
 {
-  Points_and_faces<Point> input = read_points_and_faces<Point>(options.input);
-  if(options.sample == 0)
-    return std::move(input.points);
-  std::vector<Point> points = sample_surface(input, options.sample, options.seed);
-  if(points.empty())
-    throw std::runtime_error("cannot sample '" + options.input + "': it has no faces");
-  return points;
+  point_files::Reading_options reading;
+  reading.format = options.format;
+  reading.skip_invalid = options.skip_invalid;
+  reading.progress = [&bar](double fraction) { bar.show(fraction); };
+  return reading;
 }
 
-Builder stream(const Options& options)
+std::vector<Point> sampled(const Points_and_faces<Point>& mesh, const Options& options)
 {
+  try {
+    std::vector<Point> points = sample_surface(mesh, options.sample, options.seed);
+    if(points.empty())
+      throw std::runtime_error("cannot sample '" + options.input + "': it has no faces");
+    return points;
+  } catch(const std::bad_alloc&) {
+    throw std::runtime_error("not enough memory for " + std::to_string(options.sample) +
+                             " points; draw fewer by --sample");
+  }
+}
+
+Points_and_faces<Point> load(const Options& options)
+{
+  Progress_bar bar(!options.quiet);
+  Points_and_faces<Point> input =
+      read_points_and_faces<Point>(options.input, reading_options(options, bar));
+  if(options.sample != 0)
+    input.points = sampled(input, options);
+  input.faces.clear();
+  return input;
+}
+
+// The builder, and the number of rows that were skipped.
+std::pair<Builder, std::size_t> stream(const Options& options)
+{
+  if(options.box.empty() && !point_files::can_be_read_twice(options.input))
+    throw std::runtime_error("'" + options.input +
+                             "' cannot be read twice: give --box, or do without --stream");
+  Progress_bar bar(!options.quiet);
+  const point_files::Reading_options reading = reading_options(options, bar);
   const std::vector<double>& b = options.box;
-  Builder builder(b.empty() ? box_of_file<Point>(options.input)
-                            : CGAL::Bbox_3(b[0], b[1], b[2], b[3], b[4], b[5]));
-  for_each_point<Point>(options.input, [&builder](const Point& p) { builder.insert(p); });
-  return builder;
+  Builder builder = b.empty() ? Builder(bulk_of_files<Point>({options.input}, reading))
+                              : Builder(CGAL::Bbox_3(b[0], b[1], b[2], b[3], b[4], b[5]));
+  const std::size_t skipped = for_each_point<Point>(
+      options.input, [&builder](const Point& p) { builder.insert(p); }, reading);
+  return {std::move(builder), skipped};
 }
 
 void write_points(const std::string& filename, const std::vector<Point>& points)
@@ -183,18 +226,20 @@ void write_points(const std::string& filename, const std::vector<Point>& points)
   file.commit();
 }
 
-void print_stats(std::size_t points, const Result& result, const Graph_counts& counts)
+void print_stats(const Reading& reading, const Result& result, const Graph_counts& counts)
 {
   nlohmann::ordered_json seconds;
-  if(result.reading_seconds)
-    seconds["reading"] = *result.reading_seconds;
+  if(reading.seconds)
+    seconds["reading"] = *reading.seconds;
   seconds["mixture"] = result.mixture_seconds;
   seconds["projection"] = result.projection_seconds;
   seconds["linking"] = result.linking_seconds;
-  seconds["total"] = result.reading_seconds.value_or(0) + result.mixture_seconds +
+  seconds["total"] = reading.seconds.value_or(0) + result.mixture_seconds +
                      result.projection_seconds + result.linking_seconds;
   nlohmann::ordered_json stats;
-  stats["points"] = points;
+  stats["points"] = reading.points;
+  if(reading.skipped)
+    stats["skipped"] = *reading.skipped;
   stats["mixture"] = result.mixture;
   stats["samples"] = result.samples;
   if(result.iterations)
@@ -204,61 +249,87 @@ void print_stats(std::size_t points, const Result& result, const Graph_counts& c
   stats["ends"] = counts.ends;
   stats["junctions"] = counts.junctions;
   stats["length"] = counts.length;
+  stats["outliers"] = result.outliers;
   stats["seconds"] = seconds;
   std::cout << stats.dump() << std::endl;
 }
 
-void print_summary(std::size_t points, const Graph_counts& counts)
+void print_summary(const Reading& reading, const Result& result, const Graph_counts& counts)
 {
-  std::cout << "points " << points << ", components " << counts.components << ", cycles "
-            << counts.cycles << ", ends " << counts.ends << ", junctions " << counts.junctions
-            << ", length " << counts.length << std::endl;
+  std::cout << "points " << reading.points;
+  if(reading.skipped)
+    std::cout << ", skipped " << *reading.skipped;
+  if(result.outliers > 0)
+    std::cout << ", outliers " << result.outliers;
+  std::cout << ", components " << counts.components << ", cycles " << counts.cycles << ", ends "
+            << counts.ends << ", junctions " << counts.junctions << ", length " << counts.length
+            << std::endl;
 }
 
 template <typename Points>
-void run(const Points& points, std::size_t size, const Options& options,
-         std::optional<double> reading_seconds = std::nullopt)
+Result run(const Points& points, const Options& options)
 {
-  std::signal(SIGINT, on_interrupt);
   Result result;
   {
     Progress_bar bar(!options.quiet);
     result = skeletonize_with_threads(points, options, bar);
   }
-  result.reading_seconds = reading_seconds;
   for(const std::string& output : options.outputs)
     CGAL::IO::write_curve_skeleton(output, result.skeleton);
-  const Graph_counts counts = count_graph(result.skeleton);
-  if(options.stats)
-    print_stats(size, result, counts);
-  else if(!options.quiet)
-    print_summary(size, counts);
+  return result;
 }
 
 void run(const Options& options)
 {
+  CGAL::Point_set_skeletonization_3::internal::Output_transaction outputs;
+  Reading reading;
+  Result result;
+  std::size_t skipped = 0;
   if(options.stream) {
     CGAL::Real_timer timer;
     timer.start();
-    const Builder points = stream(options);
-    run(points, points.number_of_points(), options, timer.time());
-    return;
+    const auto [builder, rows] = stream(options);
+    reading.seconds = timer.time();
+    reading.points = builder.number_of_points();
+    skipped = rows;
+    result = run(builder, options);
+  } else {
+    const Points_and_faces<Point> input = load(options);
+    reading.points = input.points.size();
+    skipped = input.number_of_skipped;
+    result = run(input.points, options);
+    if(!options.points.empty())
+      write_points(options.points, input.points);
   }
-  const std::vector<Point> points = load(options);
-  run(points, points.size(), options);
-  if(!options.points.empty())
-    write_points(options.points, points);
+  outputs.commit();
+
+  if(options.skip_invalid)
+    reading.skipped = skipped;
+  const Graph_counts counts = count_graph(result.skeleton);
+  if(options.stats)
+    print_stats(reading, result, counts);
+  else if(!options.quiet)
+    print_summary(reading, result, counts);
+  if(!std::cout)
+    throw std::runtime_error("cannot write to standard output");
 }
 
 int main(int argc, char** argv)
 {
+  end_on_signals(
+      [] { CGAL::Point_set_skeletonization_3::internal::unfinished_files().abandon(); });
+  const auto fail = [](const std::string& why) {
+    std::cerr << "skeletonize_point_set: " << why << std::endl;
+    return EXIT_FAILURE;
+  };
   try {
     const Parsed parsed = parse_options(argc, argv);
     if(parsed.run)
       run(parsed.options);
     return EXIT_SUCCESS;
+  } catch(const std::bad_alloc&) {
+    return fail("not enough memory; try --stream");
   } catch(const std::exception& error) {
-    std::cerr << "skeletonize_point_set: " << error.what() << std::endl;
-    return EXIT_FAILURE;
+    return fail(error.what());
   }
 }

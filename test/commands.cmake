@@ -1,9 +1,11 @@
 # The tests that run our programs, and other projects that use us.
 if(TARGET skeletonize_point_set)
-  foreach(name IN ITEMS program_usage program_input program_output picture)
+  foreach(name IN ITEMS program_usage program_input program_robust
+                        program_output program_signals picture)
     add_test(NAME ${name} COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/${name}.sh"
                                   $<TARGET_FILE:skeletonize_point_set>)
   endforeach()
+  set_tests_properties(program_signals PROPERTIES RUN_SERIAL ON) # it measures time
 endif()
 foreach(program IN ITEMS quality performance compare_skeletons)
   if(TARGET ${program})
