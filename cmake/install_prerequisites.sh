@@ -3,13 +3,13 @@
 # Usage: install_prerequisites.sh program|test|all
 #   program  to build the program and to draw what it makes
 #   test     also for the tests
-#   all      also for the comparison, whose report is tested in a browser
+#   all      also for the comparison, whose report is tested in a browser, and files read by VTK
 set -eu
 program="cmake ninja-build g++ libcgal-dev libeigen3-dev libtbb-dev libcli11-dev nlohmann-json3-dev
   python3-matplotlib"
-test="catch2"
+test="catch2 python3-ezdxf python3-meshio python3-networkx"
 report="libjs-three libjs-chart.js libjs-jquery libjs-jquery-tablesorter
-  chromium chromium-driver python3-selenium"
+  chromium chromium-driver python3-selenium python3-vtk9"
 case ${1-} in
   program) packages=$program ;;
   test) packages="$program $test" ;;

@@ -12,6 +12,20 @@ foreach(program IN ITEMS quality performance compare_skeletons)
   endif()
 endforeach()
 
+# Files of skeletons, read by other programs; by VTK, which is large, only where everything is tested.
+execute_process(COMMAND /usr/bin/python3 -c "import ezdxf, meshio, networkx, numpy"
+                RESULT_VARIABLE no_readers OUTPUT_QUIET ERROR_QUIET)
+if(no_readers)
+  message(STATUS "Without the test of file formats: there is no ezdxf, meshio, networkx or numpy for "
+                 "/usr/bin/python3")
+else()
+  add_executable(made_up_skeleton formats/made_up_skeleton.cpp)
+  target_link_libraries(made_up_skeleton PRIVATE development_header_only)
+  add_test(NAME formats COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/formats.sh"
+                                $<TARGET_FILE:made_up_skeleton>
+                                $<$<BOOL:${Point_set_skeletonization_3_COMPARISON}>:--vtk>)
+endif()
+
 if(TARGET html_report)
   add_executable(made_up_report report/made_up_report.cpp)
   target_include_directories(made_up_report PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")

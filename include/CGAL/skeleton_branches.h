@@ -25,9 +25,9 @@ using Skeleton_branch_of =
 /// Returns the branches of a skeleton with their measures, from the roots outwards.
 ///
 /// A branch is a path between two vertices whose degree is not 2; a root is an end of branches even
-/// if its degree is 2. Each edge is in exactly one branch. Branches are ordered by the distance of
-/// their far ends from the nearest root, measured along the skeleton: a parent comes before its
-/// children. Where the skeleton has a cycle, the branch that is reached from both ends is marked by
+/// if its degree is 2. Each edge is in exactly one branch. The branches of a component are ordered by
+/// the distance of their far ends from the nearest root, measured along the skeleton: a parent comes
+/// before its children. Components are ordered by their first vertices. Where the skeleton has a cycle, the branch that is reached from both ends is marked by
 /// `closes_cycle`; it starts at the end that is nearer to the root. A cycle without a junction is one
 /// closed branch.
 ///
@@ -47,12 +47,9 @@ skeleton_branches(const Skeleton& skeleton,
 {
   namespace internal = Point_set_skeletonization_3::internal;
   const internal::Numbered_skeleton<Skeleton> numbered(skeleton);
-  std::vector<std::size_t> root_numbers;
-  for(const auto v : roots)
-    root_numbers.push_back(numbered.number.at(v));
   std::vector<Skeleton_branch_of<Skeleton>> result;
   for(const internal::Plain_branch& plain :
-      internal::ordered_branches(numbered.plain, root_numbers)) {
+      internal::ordered_branches(numbered.plain, numbered.numbers_of(roots))) {
     Skeleton_branch_of<Skeleton> branch;
     branch.vertices = numbered.vertices_of(plain.vertices);
     branch.parent = plain.parent;

@@ -48,6 +48,15 @@ struct Numbered_skeleton
     return result;
   }
 
+  /// The numbers of these vertices.
+  std::vector<std::size_t> numbers_of(const std::vector<vertex_descriptor>& vertices) const
+  {
+    std::vector<std::size_t> result;
+    for(vertex_descriptor v : vertices)
+      result.push_back(number.at(v));
+    return result;
+  }
+
   Plain_skeleton plain;
   std::vector<vertex_descriptor> vertex;                     ///< By its number.
   std::unordered_map<vertex_descriptor, std::size_t> number; ///< Of a vertex.

@@ -130,13 +130,22 @@ inline std::vector<Plain_branch> paths_between(const std::vector<bool>& is_node,
   return result;
 }
 
-/// Orders branches by the distance of their far ends from the nearest root, along the skeleton, and
-/// directs them away from it. Sets parents, and which branches close a cycle. O(n log n).
+/// Orders branches by component, then by the distance of their far ends from the nearest root, along
+/// the skeleton, and directs them away from it. Sets parents, and which branches close a cycle.
+/// O(n log n).
 inline std::vector<Plain_branch> directed_from(const std::vector<std::size_t>& roots,
-                                               std::vector<Plain_branch> branches,
-                                               std::size_t vertices)
+                                               const Incidences& incidences,
+                                               std::vector<Plain_branch> branches)
 {
   constexpr std::size_t none = Plain_branch::none;
+  const std::size_t vertices = incidences.size();
+  std::vector<std::size_t> component(vertices);
+  std::size_t components = 0;
+  for_each_component(incidences, [&](const std::vector<std::size_t>& members) {
+    for(std::size_t v : members)
+      component[v] = components;
+    ++components;
+  });
   std::vector<std::vector<std::size_t>> touching(vertices); // branches by their end vertices
   for(std::size_t b = 0; b < branches.size(); ++b) {
     touching[branches[b].vertices.front()].push_back(b);
@@ -165,14 +174,14 @@ inline std::vector<Plain_branch> directed_from(const std::vector<std::size_t>& r
     return path.front() == v ? path.back() : path.front();
   };
 
-  using Reached = std::pair<double, std::size_t>; // distance, vertex
+  using Reached = std::tuple<std::size_t, double, std::size_t>; // component, distance, vertex
   std::priority_queue<Reached, std::vector<Reached>, std::greater<Reached>> queue;
   for(std::size_t v : roots) {
     nodes[v].distance = 0;
-    queue.emplace(0., v);
+    queue.emplace(component[v], 0., v);
   }
   while(!queue.empty()) {
-    const std::size_t v = queue.top().second;
+    const std::size_t v = std::get<2>(queue.top());
     queue.pop();
     Node& node = nodes[v];
     if(std::exchange(node.settled, true))
@@ -193,7 +202,7 @@ inline std::vector<Plain_branch> directed_from(const std::vector<std::size_t>& r
       else if(distance < nodes[w].distance) {
         nodes[w].distance = distance;
         nodes[w].shortest = b;
-        queue.emplace(distance, w);
+        queue.emplace(component[w], distance, w);
       }
     }
   }
@@ -250,7 +259,7 @@ inline std::vector<Plain_branch> ordered_branches(const Plain_skeleton& skeleton
       paths_between(is_node, incidences, skeleton.edges.size());
   for(Plain_branch& branch : branches)
     measure_branch(skeleton, branch);
-  branches = directed_from(roots, std::move(branches), skeleton.vertices.size());
+  branches = directed_from(roots, incidences, std::move(branches));
   set_axes(skeleton, branches);
   return branches;
 }
