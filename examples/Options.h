@@ -4,7 +4,7 @@
 #ifndef POINT_SET_SKELETONIZATION_3_EXAMPLES_OPTIONS_H
 #define POINT_SET_SKELETONIZATION_3_EXAMPLES_OPTIONS_H
 
-#include <CGAL/IO/Curve_skeleton_3.h>
+#include "outputs.h"
 
 #include <CLI/CLI.hpp>
 
@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -35,6 +36,10 @@ struct Options
   std::string input;
   std::vector<std::string> outputs;
   std::string points;
+  std::string branches; ///< table of branches
+  std::string segment;  ///< the cloud with the branch of each point
+  std::string root = "lowest";
+  std::size_t up = 2; ///< the vertical axis: 0 for x, 1 for y, 2 for z
   bool as_published = false;
   Published_symbols published;
   bool single_component = false;
@@ -73,21 +78,23 @@ inline void check_output(const std::string& filename, const std::string& input)
 
 inline void check_outputs(const Options& options)
 {
-  std::set<std::string> names;
-  for(const std::string& output : options.outputs) {
-    if(!CGAL::IO::is_curve_skeleton_filename(output))
-      throw std::runtime_error("cannot write '" + output +
-                               "': name it .polylines.txt, .obj or .ply");
+  std::vector<std::string> all = options.outputs;
+  for(const std::string& output : options.outputs)
+    check_output_format(output);
+  const auto add = [&all](const std::string& filename, const std::string& ending) {
+    if(filename.empty())
+      return;
+    if(std::filesystem::path(filename).extension() != ending)
+      throw std::runtime_error("cannot write '" + filename + "': name it " + ending);
+    all.push_back(filename);
+  };
+  add(options.points, ".xyz");
+  add(options.branches, ".csv");
+  add(options.segment, ".ply");
+  for(const std::string& output : all)
     check_output(output, options.input);
-    names.insert(output);
-  }
-  if(names.size() < options.outputs.size())
+  if(std::set<std::string>(all.begin(), all.end()).size() < all.size())
     throw std::runtime_error("an output is given twice");
-  if(options.points.empty())
-    return;
-  if(std::filesystem::path(options.points).extension() != ".xyz")
-    throw std::runtime_error("cannot write '" + options.points + "': name it .xyz");
-  check_output(options.points, options.input);
 }
 
 /// \throw std::runtime_error
@@ -132,13 +139,29 @@ inline void add_published_options(CLI::App& app, Published_symbols& symbols)
   add("--d-max", symbols.d_max, tiny, any, "longest edge of a branch, in diagonals [0.15]");
 }
 
+/// What is made from branches, and where they start.
+inline void add_branch_options(CLI::App& app, Options& options)
+{
+  app.add_option("--branches", options.branches,
+                 "write a table of the branches, .csv: parent, order, length, radius, volume, angle");
+  app.add_option("--segment", options.segment,
+                 "write the cloud, .ply: branch, order and distance to the skeleton of each point");
+  app.add_option("--root", options.root, "orders count from here: lowest or thickest end [lowest]")
+      ->type_name("END")
+      ->check(CLI::IsMember({"lowest", "thickest"}));
+  app.add_option("--up", options.up, "the vertical axis: x, y or z [z]")
+      ->type_name("AXIS")
+      ->transform(CLI::Transformer(std::map<std::string, std::size_t>{{"x", 0}, {"y", 1}, {"z", 2}}))
+      ->check(CLI::Range(0, 2));
+}
+
 /// For clouds larger than memory: what needs all points at a time is out of question.
 inline void add_stream_options(CLI::App& app, Options& options)
 {
   CLI::Option* stream =
       app.add_flag("--stream", options.stream,
                    "read .ply, .xyz or .las point after point, in little memory of any size");
-  for(const char* other : {"--as-published", "--sample", "--points"})
+  for(const char* other : {"--as-published", "--sample", "--points", "--segment"})
     stream->excludes(app.get_option(other));
   app.add_option("--box", options.box,
                  "XMIN YMIN ZMIN XMAX YMAX ZMAX that contain all points; else read twice")
@@ -156,8 +179,9 @@ inline Parsed parse_options(int argc, char** argv)
   app.add_option("INPUT", options.input, ".off, .ply, .xyz or .las; a mesh's vertices are points")
       ->required();
   app.add_option("-o,--output", options.outputs,
-                 "skeleton to write: .polylines.txt, .obj or .ply; may be repeated")
+                 "page, picture or skeleton to write, may be repeated: " + output_endings())
       ->allow_extra_args(false);
+  add_branch_options(app, options);
   app.add_option("--points", options.points,
                  "also write the points it was computed from, .xyz; for --sample");
   app.add_flag("--single-component", options.single_component,

@@ -8,18 +8,20 @@
 #include "for_each_point.h"
 #include "graph_counts.h"
 #include "read_points.h"
+#include "outputs.h"
 #include "sample_surface.h"
+#include "write_segmented_cloud.h"
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Gaussian_mixture_builder_3.h>
-#include <CGAL/IO/Curve_skeleton_3.h>
 #include <CGAL/L1_medial_skeletonization_3.h>
-#include <CGAL/Point_set_skeletonization_3/internal/io/Output_file.h>
+#include <CGAL/Point_set_skeletonization_3/internal/io/write_branches.h>
 #include <CGAL/Point_set_skeletonization_3/parameters.h>
 #include <CGAL/Point_set_skeletonization_3/published_parameters.h>
 #include <CGAL/Published_l1_medial_skeletonization_3.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/skeleton_branches.h>
 
 #include <nlohmann/json.hpp>
 #ifdef CGAL_LINKED_WITH_TBB
@@ -30,6 +32,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
@@ -175,12 +178,35 @@ Builder stream(const Options& options)
   return builder;
 }
 
-void write_points(const std::string& filename, const std::vector<Point>& points)
+// The skeleton with all that pages, pictures and tables show of it.
+Skeletonized_cloud with_branches(const Skeleton& skeleton, const std::vector<Point>& points,
+                                 std::size_t size, const Options& options)
 {
-  CGAL::Point_set_skeletonization_3::internal::Output_file file(filename);
-  for(const Point& p : points)
-    file.stream() << p << '\n';
-  file.commit();
+  Skeletonized_cloud cloud{std::filesystem::path(options.input).filename().string(), points, size,
+                           options.up, {}, {}, {}, {}, {}};
+  cloud.skeleton = CGAL::Point_set_skeletonization_3::internal::written_skeleton(
+      skeleton, options.root == "lowest" ? CGAL::lowest_vertices(skeleton, options.up)
+                                         : CGAL::thickest_vertices(skeleton));
+  assign_branches(skeleton, cloud);
+  return cloud;
+}
+
+void write_outputs(const Skeletonized_cloud& cloud, const Options& options)
+{
+  for(const std::string& output : options.outputs)
+    write_output(output, cloud);
+  if(!options.branches.empty())
+    write_file(options.branches, [&cloud](std::ostream& os) {
+      CGAL::Point_set_skeletonization_3::internal::write_branches(os, cloud.skeleton,
+                                                                  cloud.points_of_branch);
+    });
+  if(!options.segment.empty())
+    write_file(options.segment, [&cloud](std::ostream& os) { write_segmented_cloud(os, cloud); });
+  if(!options.points.empty())
+    write_file(options.points, [&cloud](std::ostream& os) {
+      for(const Point& p : cloud.points)
+        os << p << '\n';
+    });
 }
 
 void print_stats(std::size_t points, const Result& result, const Graph_counts& counts)
@@ -226,8 +252,11 @@ void run(const Points& points, std::size_t size, const Options& options,
     result = skeletonize_with_threads(points, options, bar);
   }
   result.reading_seconds = reading_seconds;
-  for(const std::string& output : options.outputs)
-    CGAL::IO::write_curve_skeleton(output, result.skeleton);
+  static const std::vector<Point> streamed;
+  if constexpr(std::is_same<Points, std::vector<Point>>::value)
+    write_outputs(with_branches(result.skeleton, points, size, options), options);
+  else
+    write_outputs(with_branches(result.skeleton, streamed, size, options), options);
   const Graph_counts counts = count_graph(result.skeleton);
   if(options.stats)
     print_stats(size, result, counts);
@@ -246,8 +275,6 @@ void run(const Options& options)
   }
   const std::vector<Point> points = load(options);
   run(points, points.size(), options);
-  if(!options.points.empty())
-    write_points(options.points, points);
 }
 
 int main(int argc, char** argv)
