@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -48,12 +49,28 @@ double rounded(double x, double diagonal)
   return std::round(x / unit) * unit;
 }
 
+/// In an order of which every beginning is spread over the whole, for a view that shows a part.
+std::vector<std::size_t> scattered(const std::vector<std::size_t>& chosen)
+{
+  if(chosen.empty())
+    return {};
+  constexpr double golden = 0.6180339887498949;
+  const std::size_t size = chosen.size();
+  std::size_t step = std::max<std::size_t>(1, static_cast<std::size_t>(golden * double(size)));
+  while(std::gcd(step, size) != 1)
+    ++step;
+  std::vector<std::size_t> result;
+  for(std::size_t i = 0; i < size; ++i)
+    result.push_back(chosen[i * step % size]);
+  return result;
+}
+
 ordered_json cloud_json(const Skeletonized_cloud& cloud, const Cloud_box& box)
 {
   constexpr std::size_t most = 250000;
   constexpr double steps = 65535;
   std::vector<std::uint16_t> positions, branches;
-  for(std::size_t i : thinned(cloud.points.size(), most)) {
+  for(std::size_t i : scattered(thinned(cloud.points.size(), most))) {
     const auto& p = cloud.points[i];
     const std::array<double, 3> xyz{p.x(), p.y(), p.z()};
     for(std::size_t k = 0; k < 3; ++k) {

@@ -1,6 +1,14 @@
 # The tests that run our programs, and other projects that use us.
 if(TARGET skeletonize_point_set)
-  foreach(name IN ITEMS program_usage program_input program_output picture)
+  set(names program_usage program_input program_output picture)
+  get_target_property(definitions skeletonize_point_set COMPILE_DEFINITIONS)
+  if("WITH_CAIRO" IN_LIST definitions AND "WITH_THREE_JS" IN_LIST definitions)
+    list(APPEND names program_views)
+    if(Point_set_skeletonization_3_COMPARISON)
+      list(APPEND names page) # in a browser
+    endif()
+  endif()
+  foreach(name IN LISTS names)
     add_test(NAME ${name} COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/${name}.sh"
                                   $<TARGET_FILE:skeletonize_point_set>)
   endforeach()

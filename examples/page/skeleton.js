@@ -106,10 +106,14 @@ function add(object, order) {
   return object;
 }
 
-const cloud = add(dots(cloudPositions(), 2.4,
-  { depthWrite: false, opacity: 0.55, vertexColors: THREE.VertexColors }), 0);
+// Many points are drawn small and faint, so that the skeleton shows through.
+const isDense = data.cloud.count > 60000;
+const cloud = add(dots(cloudPositions(), isDense ? 1.8 : 2.4,
+  { depthWrite: false, opacity: isDense ? 0.25 : 0.55, vertexColors: THREE.VertexColors }), 0);
 
-const lineMaterial = new THREE.LineMaterial({ linewidth: 5, vertexColors: THREE.VertexColors });
+// Not transparent, but what is called so is drawn after the cloud.
+const lineMaterial = new THREE.LineMaterial(
+  { linewidth: 5, vertexColors: THREE.VertexColors, transparent: true });
 const lines = new THREE.LineSegments2(
   new THREE.LineSegmentsGeometry().setPositions(positionsOf(skeleton.edges)), lineMaterial);
 if (edgeCount > 0)
@@ -312,6 +316,13 @@ colourCloud();
 if (renderer) {
   byId('view').append(renderer.domElement);
   controls.addEventListener('change', draw);
+  // While the view turns, a part of a large cloud is enough; its points come in no order.
+  const WHILE_TURNING = 50000;
+  controls.addEventListener('start', () => cloud.geometry.setDrawRange(0, WHILE_TURNING));
+  controls.addEventListener('end', () => {
+    cloud.geometry.setDrawRange(0, Infinity);
+    draw();
+  });
   renderer.domElement.addEventListener('pointermove', showPicked);
   byId('reset').onclick = resetView;
   window.addEventListener('resize', fit);
