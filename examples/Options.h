@@ -13,7 +13,6 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
-#include <map>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -39,7 +38,7 @@ struct Options
   std::string branches; ///< table of branches
   std::string segment;  ///< the cloud with the branch of each point
   std::string root = "lowest";
-  std::size_t up = 2; ///< the vertical axis: 0 for x, 1 for y, 2 for z
+  std::string up = "z"; ///< the vertical axis
   bool as_published = false;
   Published_symbols published;
   bool single_component = false;
@@ -149,10 +148,9 @@ inline void add_branch_options(CLI::App& app, Options& options)
   app.add_option("--root", options.root, "orders count from here: lowest or thickest end [lowest]")
       ->type_name("END")
       ->check(CLI::IsMember({"lowest", "thickest"}));
-  app.add_option("--up", options.up, "the vertical axis: x, y or z [z]")
+  app.add_option("--up", options.up, "the vertical axis [z]")
       ->type_name("AXIS")
-      ->transform(CLI::Transformer(std::map<std::string, std::size_t>{{"x", 0}, {"y", 1}, {"z", 2}}))
-      ->check(CLI::Range(0, 2));
+      ->check(CLI::IsMember({"x", "y", "z"}));
 }
 
 /// For clouds larger than memory: what needs all points at a time is out of question.

@@ -182,10 +182,11 @@ Builder stream(const Options& options)
 Skeletonized_cloud with_branches(const Skeleton& skeleton, const std::vector<Point>& points,
                                  std::size_t size, const Options& options)
 {
+  const std::size_t up = std::string("xyz").find(options.up);
   Skeletonized_cloud cloud{std::filesystem::path(options.input).filename().string(), points, size,
-                           options.up, {}, {}, {}, {}, {}};
+                           up, {}, {}, {}, {}, {}};
   cloud.skeleton = CGAL::Point_set_skeletonization_3::internal::written_skeleton(
-      skeleton, options.root == "lowest" ? CGAL::lowest_vertices(skeleton, options.up)
+      skeleton, options.root == "lowest" ? CGAL::lowest_vertices(skeleton, up)
                                          : CGAL::thickest_vertices(skeleton));
   assign_branches(skeleton, cloud);
   return cloud;

@@ -34,6 +34,12 @@ else()
                                 $<$<BOOL:${Point_set_skeletonization_3_COMPARISON}>:--vtk>)
 endif()
 
+if(TARGET python_module)
+  add_test(NAME python COMMAND "${Python_EXECUTABLE}"
+                               "${CMAKE_CURRENT_SOURCE_DIR}/python/check_module.py")
+  set_tests_properties(python PROPERTIES ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/python")
+endif()
+
 if(TARGET html_report)
   add_executable(made_up_report report/made_up_report.cpp)
   target_include_directories(made_up_report PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
