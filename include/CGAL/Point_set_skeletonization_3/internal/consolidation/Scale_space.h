@@ -23,12 +23,13 @@ namespace internal {
 struct Window_radii
 {
   static constexpr std::size_t size = 12;
+  static constexpr double ratio = 1.4; ///< Of one to that before.
 
-  /// From two spacings, the narrowest window that shows a plane, in steps of 1.4.
+  /// From two spacings, the narrowest window that shows a plane.
   explicit Window_radii(double spacing)
   {
     for(std::size_t k = 0; k < size; ++k)
-      radii[k] = 2 * spacing * std::pow(1.4, static_cast<double>(k));
+      radii[k] = 2 * spacing * std::pow(ratio, static_cast<double>(k));
   }
 
   double operator[](std::size_t k) const { return radii[k]; }

@@ -36,15 +36,11 @@ struct Noise_options
   /// Difference of sphericity over which a decision that depends on it fades from no to yes, > 0.
   double transition = 0.2;
 
-  /// Sphericity below which no wider window is tried, > 0: noise of a fifth of the radius.
-  double flat = 0.15;
-
   /// Checks all ranges.
   void check() const
   {
     CGAL_precondition(least_scatter > 0);
     CGAL_precondition(least_sphericity > 0 && transition > 0);
-    CGAL_precondition(flat > 0);
   }
 
   /// Calls `visit(name, value)` for every option.
@@ -54,7 +50,6 @@ struct Noise_options
     visit("least_scatter", least_scatter);
     visit("least_sphericity", least_sphericity);
     visit("transition", transition);
-    visit("flat", flat);
   }
 };
 
@@ -103,8 +98,8 @@ inline double scale_of_normal(std::vector<double> values)
 }
 
 /// Returns the median distance of components from the surface through their neighbours, in radii of
-/// the narrowest window, see `scale_of_normal()`. On a curved surface all components have the same offset from their fitted
-/// planes; only the difference to that of the neighbours is noise. O(n).
+/// the narrowest window, see `scale_of_normal()`. On a curved surface all components have the same
+/// offset from their fitted planes; only the difference to that of the neighbours is noise. O(n).
 inline double scatter(const std::vector<Local_shape>& narrowest, const Moving_mixture& moving,
                       const K_nearest_neighbors& nearest, double radius, Concurrency concurrency)
 {
@@ -124,17 +119,23 @@ inline double scatter(const std::vector<Local_shape>& narrowest, const Moving_mi
 }
 
 /// Measures the noise. Noise makes narrow windows spherical; curvature and neighbouring sheets make
-/// wide ones spherical. So the window is the first with a low sphericity, or the last before it
-/// increases. The lower quartile over the shape counts: noise is everywhere, and nearly every shape
-/// is smooth in a quarter of its surface. O(n log n). \pre nothing has moved yet
+/// wide ones spherical. A plane with noise of variance t^2, in a window in which it extends by w^2
+/// within the plane and the noise, if it is wide, as far across, has a sphericity s of about
+/// 1 / (1 + w^2 / t^2). So in a window wider by a factor r, s / (1 - s) is less by r^2; on a shape
+/// that looks alike at every scale it is the same. The window is the last up to which it falls by r
+/// or more each time: noise, not shape, explains what was seen. As long as the noise is wider than
+/// the window, any fall is enough: few components never look quite round. The lower quartile over
+/// the shape counts: noise is everywhere, and nearly every shape is smooth in a quarter of its
+/// surface. O(n log n). \pre nothing has moved yet
 inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
                            const K_nearest_neighbors& nearest, const Window_radii& radii,
                            const Noise_options& options, Concurrency concurrency)
 {
   constexpr std::size_t every = 7; // some hundreds of components are enough
   constexpr double quartile = 0.25;
+  constexpr double least = (std::numeric_limits<double>::min)(); // instead of 0
   Noise result;
-  double least = std::numeric_limits<double>::infinity();
+  double last = std::numeric_limits<double>::infinity();
   for(std::size_t size = 0; size < Window_radii::size; ++size) {
     const std::vector<Local_shape> shapes =
       local_shapes(space, moving, size, size == 0 ? 1 : every, concurrency);
@@ -152,13 +153,15 @@ inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
         1.0, std::max({0.0, (scattered - options.least_scatter) / options.least_scatter,
                        (sphericity - options.least_sphericity) / options.transition}));
     }
-    if(sphericity >= least) // also a line of points, which has no normal at any size
+    const double odds = sphericity / std::max(1 - sphericity, least);
+    const double least_fall = odds < 1 ? Window_radii::ratio : 1;
+    if(odds * least_fall >= last) // also on a line of points: no normal at any size
       break;
     result.size = size;
     result.thickness = quantile(thicknesses, quartile);
-    least = sphericity;
-    if(sphericity < options.flat)
+    if(result.strength == 0)
       break;
+    last = odds;
   }
   return result;
 }

@@ -4,7 +4,6 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_BALL_OVERLAPS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_BALL_OVERLAPS_H
 
-
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
@@ -30,13 +29,23 @@ struct Medial_ball
   double radius = 0; ///< 0: unknown.
 };
 
+/// Returns a ball moved straight towards `place` until it touches it, if it is further away.
+inline Medial_ball moved_to_touch(const Medial_ball& ball, const Vector3& place)
+{
+  const Vector3 way = place - ball.center;
+  const double distance = way.norm();
+  return distance > ball.radius
+           ? Medial_ball{ball.center + (1 - ball.radius / distance) * way, ball.radius}
+           : ball;
+}
+
 /// Returns a medial ball for each patch, centred at its sample if that is off the surface. Other
-/// patches take the ball of the nearest patch along the surface (Dijkstra), within a limited
-/// distance and not across a `crease`, the least cosine between adjacent normals: where two limbs
-/// touch, normals are unreliable, but nearby patches are in the same limb. Radius 0 if none is
-/// found. O(n log n).
-inline std::vector<Medial_ball> known_balls(const Patches& patches,
-                                         const Samples& samples, double crease)
+/// patches take the ball of the nearest patch along the surface (Dijkstra), moved until it touches
+/// them, within a limited distance and not across a `crease`, the least cosine between adjacent
+/// normals: where two limbs touch, normals are unreliable, but nearby patches are in the same limb.
+/// Radius 0 if none is found. O(n log n).
+inline std::vector<Medial_ball> known_balls(const Patches& patches, const Samples& samples,
+                                            double crease)
 {
   constexpr double reach = 3;       // spacings: the neighbourhood of a normal, and a margin
   constexpr double ball_share = 0.5; // radii: thick limbs touch along more patches
@@ -63,7 +72,7 @@ inline std::vector<Medial_ball> known_balls(const Patches& patches,
     if(done[i])
       continue;
     done[i] = true;
-    balls[i] = balls[from];
+    balls[i] = i == from ? balls[from] : moved_to_touch(balls[from], patches[i].mean);
     const double limit = std::max(reach * patches[from].spacing, ball_share * balls[from].radius);
     for(std::size_t j : patches[i].neighbors) {
       const double length = std::get<0>(step) + (patches[i].mean - patches[j].mean).norm();

@@ -14,7 +14,7 @@ namespace internal {
 struct Separator_options
 {
   /// Greatest ratio of width to thickness of a limb that is found, > 1.
-  double flattest = 6;
+  double flattest = 9;
 
   /// Least ratio of the second largest part of the front to the largest where it splits, in (0, 1):
   /// limbs do not taper faster within one ball.
