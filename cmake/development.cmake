@@ -2,18 +2,21 @@
 find_package(TBB QUIET)
 include(CGAL_TBB_support)
 
-# The flags; for what has to see the headers as they are without the compiled library.
-add_library(development_header_only INTERFACE)
-target_link_libraries(
-  development_header_only INTERFACE Point_set_skeletonization_3::Point_set_skeletonization_3
-                                    $<TARGET_NAME_IF_EXISTS:CGAL::TBB_support>)
+add_library(our_warnings INTERFACE)
 # GCC's guesses about uninitialised variables come after inlining, so that it makes them about code
 # inside Boost and CGAL as if it were ours.
 target_compile_options(
-  development_header_only
+  our_warnings
   INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
             $<$<BOOL:${Point_set_skeletonization_3_STRICT}>:-Werror>
             $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+
+# For what has to see the headers as they are without the compiled library.
+add_library(development_header_only INTERFACE)
+target_link_libraries(
+  development_header_only INTERFACE our_warnings
+                                    Point_set_skeletonization_3::Point_set_skeletonization_3
+                                    $<TARGET_NAME_IF_EXISTS:CGAL::TBB_support>)
 
 # What everything else of ours is linked to, so that it compiles fast.
 add_library(development INTERFACE)

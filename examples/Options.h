@@ -4,7 +4,10 @@
 #ifndef POINT_SET_SKELETONIZATION_3_EXAMPLES_OPTIONS_H
 #define POINT_SET_SKELETONIZATION_3_EXAMPLES_OPTIONS_H
 
+#include "Format.h"
 #include "outputs.h"
+
+#include <CGAL/Point_set_skeletonization_3/internal/io/Output_file.h>
 
 #include <CLI/CLI.hpp>
 
@@ -32,7 +35,10 @@ struct Published_symbols
 /// The command line of `skeletonize_point_set`.
 struct Options
 {
-  std::string input;
+  std::string input;        ///< "-": standard input
+  bool is_one_of_many = false; ///< whether there are other inputs
+  std::string format; ///< by its extension; empty: as the input is called
+  bool skip_invalid = false;
   std::vector<std::string> outputs;
   std::string points;
   std::string branches; ///< table of branches
@@ -51,49 +57,53 @@ struct Options
   bool quiet = false;
 };
 
-struct Parsed
-{
-  bool run; ///< false: help was asked for and shown
-  Options options;
-};
-
 /// Finds out before the work, not after it, that a file cannot be written where it is wanted.
 /// \throw std::runtime_error
 inline void check_output(const std::string& filename, const std::string& input)
 {
+  using CGAL::Point_set_skeletonization_3::internal::target_of_output;
   const auto fail = [&filename](const std::string& why) {
     throw std::runtime_error("cannot write '" + filename + "': " + why);
   };
-  const std::filesystem::path path(filename);
+  const std::filesystem::path path = target_of_output(filename);
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   std::error_code ignored;
   if(!std::filesystem::is_directory(folder, ignored))
     fail("there is no folder '" + folder.string() + "'");
   if(std::filesystem::is_directory(path, ignored))
     fail("it is a folder");
+  if(std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
+    fail("it is no ordinary file");
   if(std::filesystem::equivalent(path, input, ignored))
     fail("it is the input");
 }
 
 inline void check_outputs(const Options& options)
 {
-  std::vector<std::string> all = options.outputs;
-  for(const std::string& output : options.outputs)
+  using CGAL::Point_set_skeletonization_3::internal::target_of_output;
+  const auto canonical = [](const std::string& filename) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(target_of_output(filename)));
+  };
+  std::set<std::filesystem::path> files;
+  const auto check = [&](const std::string& filename) {
+    check_output(filename, options.input);
+    if(!files.insert(canonical(filename)).second)
+      throw std::runtime_error("cannot write '" + filename + "': this output is given twice");
+  };
+  for(const std::string& output : options.outputs) {
     check_output_format(output);
-  const auto add = [&all](const std::string& filename, const std::string& ending) {
+    check(output);
+  }
+  const auto check_other = [&](const std::string& filename, const std::string& ending) {
     if(filename.empty())
       return;
     if(std::filesystem::path(filename).extension() != ending)
       throw std::runtime_error("cannot write '" + filename + "': name it " + ending);
-    all.push_back(filename);
+    check(filename);
   };
-  add(options.points, ".xyz");
-  add(options.branches, ".csv");
-  add(options.segment, ".ply");
-  for(const std::string& output : all)
-    check_output(output, options.input);
-  if(std::set<std::string>(all.begin(), all.end()).size() < all.size())
-    throw std::runtime_error("an output is given twice");
+  check_other(options.points, ".xyz");
+  check_other(options.branches, ".csv");
+  check_other(options.segment, ".ply");
 }
 
 /// \throw std::runtime_error
@@ -158,7 +168,7 @@ inline void add_stream_options(CLI::App& app, Options& options)
 {
   CLI::Option* stream =
       app.add_flag("--stream", options.stream,
-                   "read .ply, .xyz or .las point after point, in little memory of any size");
+                   "read point after point, in little memory for a file of any size");
   for(const char* other : {"--as-published", "--sample", "--points", "--segment"})
     stream->excludes(app.get_option(other));
   app.add_option("--box", options.box,
@@ -168,14 +178,87 @@ inline void add_stream_options(CLI::App& app, Options& options)
       ->needs(stream);
 }
 
+/// What is to be done with several inputs.
+struct Batch
+{
+  std::vector<std::string> inputs;
+  std::string directory;
+  std::vector<std::string> formats; ///< endings without their dot
+};
+
+inline void add_batch_options(CLI::App& app, Batch& batch)
+{
+  CLI::Option* directory =
+      app.add_option("--output-directory", batch.directory,
+                     "folder for the outputs of any number of INPUTs, called as they are; see -f")
+          ->type_name("DIR");
+  CLI::Option* format =
+      app.add_option("-f,--output-format", batch.formats,
+                     "ending of what to write into --output-directory; may be repeated")
+          ->type_name("ENDING")
+          ->allow_extra_args(false);
+  format->needs(directory);
+  directory->needs(format);
+  for(const char* other : {"--output", "--points", "--branches", "--segment"})
+    directory->excludes(app.get_option(other));
+}
+
+/// Returns the options for each input. \throw std::runtime_error
+inline std::vector<Options> jobs_of(const Batch& batch, Options options)
+{
+  if(batch.directory.empty() && batch.inputs.size() > 1)
+    throw std::runtime_error("cannot take '" + batch.inputs[1] + "' as a second input: give " +
+                             "--output-directory and -f, or -o before each output");
+  std::vector<Options> jobs;
+  std::set<std::string> names;
+  for(const std::string& input : batch.inputs) {
+    options.input = input;
+    options.outputs = batch.directory.empty() ? options.outputs : std::vector<std::string>();
+    options.is_one_of_many = !batch.directory.empty();
+    const std::string name = std::filesystem::path(input).stem().string();
+    if(!names.insert(name).second)
+      throw std::runtime_error("cannot write the outputs of '" + input +
+                               "': another input has the same name");
+    for(const std::string& format : batch.formats) {
+      options.outputs.push_back(
+          (std::filesystem::path(batch.directory) / (name + '.' + format)).string());
+      check_output_format(options.outputs.back());
+    }
+    jobs.push_back(options);
+  }
+  if(!batch.directory.empty()) {
+    std::error_code error;
+    std::filesystem::create_directories(batch.directory, error);
+    if(error)
+      throw std::runtime_error("cannot create the folder '" + batch.directory +
+                               "': " + error.message());
+  }
+  for(const Options& job : jobs)
+    check_outputs(job);
+  return jobs;
+}
+
+/// Returns what is to be done, one input after the other; nothing if it was only to show help.
 /// \throw std::runtime_error with a message of one line
-inline Parsed parse_options(int argc, char** argv)
+inline std::vector<Options> parse_options(int argc, char** argv)
 {
   Options options;
+  Batch batch;
   CLI::App app("Curve skeleton of a raw point cloud: no normals, no mesh needed.",
                "skeletonize_point_set");
-  app.add_option("INPUT", options.input, ".off, .ply, .xyz or .las; a mesh's vertices are points")
+  app.footer("Examples:\n"
+             "  skeletonize_point_set scan.ply -o skeleton.html -o skeleton.vtp\n"
+             "  skeletonize_point_set tree.las -o cylinders.csv --branches branches.csv\n"
+             "  skeletonize_point_set *.ply --output-directory skeletons -f swc -f png\n"
+             "An output is complete or not there. The exit code is 0, or 1 if anything failed.");
+  app.set_version_flag("--version", std::string("skeletonize_point_set ") + VERSION);
+  app.add_option("INPUT", batch.inputs, point_files::names_of_formats() +
+                                            " or - for standard input; of a mesh, its vertices")
       ->required();
+  app.add_option("--format", options.format, "of INPUT, by its extension [as it is called]")
+      ->type_name("EXTENSION");
+  app.add_flag("--skip-invalid", options.skip_invalid,
+               "leave out and count rows of INPUT that are no finite point");
   app.add_option("-o,--output", options.outputs,
                  "page, picture or skeleton to write, may be repeated: " + output_endings())
       ->allow_extra_args(false);
@@ -190,6 +273,7 @@ inline Parsed parse_options(int argc, char** argv)
       ->type_name("N")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
   add_stream_options(app, options);
+  add_batch_options(app, batch);
   app.add_option("--threads", options.threads, "number of threads [all cores]")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
@@ -200,13 +284,15 @@ inline Parsed parse_options(int argc, char** argv)
     app.parse(argc, argv);
   } catch(const CLI::CallForHelp&) {
     std::cout << app.help();
-    return {false, options};
+    return {};
+  } catch(const CLI::CallForVersion&) {
+    std::cout << app.version() << '\n';
+    return {};
   } catch(const CLI::ParseError& error) {
     throw std::runtime_error(std::string(error.what()) + " (try --help)");
   }
   check_box(options.box);
-  check_outputs(options);
-  return {true, options};
+  return jobs_of(batch, options);
 }
 
 #endif // POINT_SET_SKELETONIZATION_3_EXAMPLES_OPTIONS_H

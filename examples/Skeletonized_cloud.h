@@ -24,10 +24,13 @@ struct Skeletonized_cloud
   /// The branch of a point that has none.
   static constexpr std::uint32_t no_branch = std::uint32_t(-1);
 
+  /// Refers to the points.
+  explicit Skeletonized_cloud(const std::vector<Point>& all_points) : points(all_points) {}
+
   std::string name;                 ///< Of the file.
   const std::vector<Point>& points; ///< Empty if they were streamed.
-  std::size_t number_of_points;
-  std::size_t up; ///< The vertical axis: 0 for x, 1 for y, 2 for z.
+  std::size_t number_of_points = 0;
+  std::size_t up = 2; ///< The vertical axis: 0 for x, 1 for y, 2 for z.
   CGAL::Point_set_skeletonization_3::internal::Written_skeleton skeleton;
   std::vector<std::size_t> branch_of_vertex;
   std::vector<std::size_t> points_of_vertex; ///< Their number.

@@ -3,6 +3,7 @@
 
 // Reads a point cloud, writes its curve skeleton. `skeletonize_point_set --help` tells the options.
 
+#include "End_on_signals.h"
 #include "Options.h"
 #include "Progress_bar.h"
 #include "for_each_point.h"
@@ -29,11 +30,11 @@
 #include <tbb/info.h>
 #endif
 
-#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <new>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -46,6 +47,14 @@ using Point = Kernel::Point_3;
 using Builder = CGAL::Gaussian_mixture_builder_3<Kernel>;
 using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
 
+// What was read.
+struct Reading
+{
+  std::size_t points = 0;
+  std::optional<std::size_t> skipped; // rows, if that was asked for
+  std::optional<double> seconds;      // of a stream: with the moments, which are not kept apart
+};
+
 // What --stats prints, and the skeleton.
 struct Result
 {
@@ -53,19 +62,10 @@ struct Result
   std::size_t mixture = 0;
   std::size_t samples = 0;
   std::optional<std::size_t> iterations; // of the published method
-  std::optional<double> reading_seconds; // of a stream: with the moments, which are not kept apart
   double mixture_seconds = 0;
   double projection_seconds = 0;
   double linking_seconds = 0;
 };
-
-// Set by Ctrl-C, which cancels at the next report of progress.
-volatile std::sig_atomic_t interrupted = 0;
-
-extern "C" void on_interrupt(int)
-{
-  interrupted = 1;
-}
 
 // Runs one stage and returns its seconds.
 template <typename Stage>
@@ -73,17 +73,15 @@ double seconds_of(const Stage& stage)
 {
   CGAL::Real_timer timer;
   timer.start();
-  if(!stage())
-    throw std::runtime_error("interrupted");
+  stage();
   return timer.time();
 }
 
-// The progress bar as a callback, which Ctrl-C makes cancel.
 auto callback_of(Progress_bar& bar)
 {
   return CGAL::parameters::callback([&bar](double fraction) {
     bar.show(fraction);
-    return interrupted == 0;
+    return true;
   });
 }
 
@@ -158,33 +156,64 @@ Result skeletonize_with_threads(const Points& points, const Options& options, Pr
 }
 #endif
 
-std::vector<Point> load(const Options& options)
+point_files::Reading_options reading_options(const Options& options, Progress_bar& bar)
 {
-  Points_and_faces<Point> input = read_points_and_faces<Point>(options.input);
-  if(options.sample == 0)
-    return std::move(input.points);
-  std::vector<Point> points = sample_surface(input, options.sample, options.seed);
-  if(points.empty())
-    throw std::runtime_error("cannot sample '" + options.input + "': it has no faces");
-  return points;
+  point_files::Reading_options reading;
+  reading.format = options.format;
+  reading.skip_invalid = options.skip_invalid;
+  reading.progress = [&bar](double fraction) { bar.show(fraction); };
+  return reading;
 }
 
-Builder stream(const Options& options)
+std::vector<Point> sampled(const Points_and_faces<Point>& mesh, const Options& options)
 {
+  try {
+    std::vector<Point> points = sample_surface(mesh, options.sample, options.seed);
+    if(points.empty())
+      throw std::runtime_error("cannot sample '" + options.input + "': it has no faces");
+    return points;
+  } catch(const std::bad_alloc&) {
+    throw std::runtime_error("not enough memory for " + std::to_string(options.sample) +
+                             " points; draw fewer by --sample");
+  }
+}
+
+Points_and_faces<Point> load(const Options& options)
+{
+  Progress_bar bar(!options.quiet);
+  Points_and_faces<Point> input =
+      read_points_and_faces<Point>(options.input, reading_options(options, bar));
+  if(options.sample != 0)
+    input.points = sampled(input, options);
+  input.faces.clear();
+  return input;
+}
+
+// The builder, and the number of rows that were skipped.
+std::pair<Builder, std::size_t> stream(const Options& options)
+{
+  if(options.box.empty() && !point_files::can_be_read_twice(options.input))
+    throw std::runtime_error("'" + options.input +
+                             "' cannot be read twice: give --box, or do without --stream");
+  Progress_bar bar(!options.quiet);
+  const point_files::Reading_options reading = reading_options(options, bar);
   const std::vector<double>& b = options.box;
-  Builder builder(b.empty() ? box_of_file<Point>(options.input)
+  Builder builder(b.empty() ? box_of_file<Point>(options.input, reading)
                             : CGAL::Bbox_3(b[0], b[1], b[2], b[3], b[4], b[5]));
-  for_each_point<Point>(options.input, [&builder](const Point& p) { builder.insert(p); });
-  return builder;
+  const std::size_t skipped = for_each_point<Point>(
+      options.input, [&builder](const Point& p) { builder.insert(p); }, reading);
+  return {std::move(builder), skipped};
 }
 
 // The skeleton with all that pages, pictures and tables show of it.
 Skeletonized_cloud with_branches(const Skeleton& skeleton, const std::vector<Point>& points,
                                  std::size_t size, const Options& options)
 {
+  Skeletonized_cloud cloud(points);
   const std::size_t up = std::string("xyz").find(options.up);
-  Skeletonized_cloud cloud{std::filesystem::path(options.input).filename().string(), points, size,
-                           up, {}, {}, {}, {}, {}};
+  cloud.name = std::filesystem::path(options.input).filename().string();
+  cloud.number_of_points = size;
+  cloud.up = up;
   cloud.skeleton = CGAL::Point_set_skeletonization_3::internal::written_skeleton(
       skeleton, options.root == "lowest" ? CGAL::lowest_vertices(skeleton, up)
                                          : CGAL::thickest_vertices(skeleton));
@@ -210,18 +239,23 @@ void write_outputs(const Skeletonized_cloud& cloud, const Options& options)
     });
 }
 
-void print_stats(std::size_t points, const Result& result, const Graph_counts& counts)
+void print_stats(const Reading& reading, const Result& result, const Graph_counts& counts,
+                 const Options& options)
 {
   nlohmann::ordered_json seconds;
-  if(result.reading_seconds)
-    seconds["reading"] = *result.reading_seconds;
+  if(reading.seconds)
+    seconds["reading"] = *reading.seconds;
   seconds["mixture"] = result.mixture_seconds;
   seconds["projection"] = result.projection_seconds;
   seconds["linking"] = result.linking_seconds;
-  seconds["total"] = result.reading_seconds.value_or(0) + result.mixture_seconds +
+  seconds["total"] = reading.seconds.value_or(0) + result.mixture_seconds +
                      result.projection_seconds + result.linking_seconds;
   nlohmann::ordered_json stats;
-  stats["points"] = points;
+  if(options.is_one_of_many)
+    stats["input"] = options.input;
+  stats["points"] = reading.points;
+  if(reading.skipped)
+    stats["skipped"] = *reading.skipped;
   stats["mixture"] = result.mixture;
   stats["samples"] = result.samples;
   if(result.iterations)
@@ -232,61 +266,92 @@ void print_stats(std::size_t points, const Result& result, const Graph_counts& c
   stats["junctions"] = counts.junctions;
   stats["length"] = counts.length;
   stats["seconds"] = seconds;
-  std::cout << stats.dump() << std::endl;
+  const bool ascii = true; // a file's name may be in any encoding
+  std::cout << stats.dump(-1, ' ', ascii, nlohmann::json::error_handler_t::replace) << std::endl;
 }
 
-void print_summary(std::size_t points, const Graph_counts& counts)
+void print_summary(const Reading& reading, const Graph_counts& counts, const Options& options)
 {
-  std::cout << "points " << points << ", components " << counts.components << ", cycles "
-            << counts.cycles << ", ends " << counts.ends << ", junctions " << counts.junctions
-            << ", length " << counts.length << std::endl;
+  if(options.is_one_of_many)
+    std::cout << options.input << ": ";
+  std::cout << "points " << reading.points;
+  if(reading.skipped)
+    std::cout << ", skipped " << *reading.skipped;
+  std::cout << ", components " << counts.components << ", cycles " << counts.cycles << ", ends "
+            << counts.ends << ", junctions " << counts.junctions << ", length " << counts.length;
+  if(options.outputs.empty() && options.branches.empty() && options.segment.empty())
+    std::cout << " (no skeleton was written: -o FILE writes " << output_endings() << ')';
+  std::cout << std::endl;
 }
 
 template <typename Points>
-void run(const Points& points, std::size_t size, const Options& options,
-         std::optional<double> reading_seconds = std::nullopt)
+Result run(const Points& points, const Options& options)
 {
-  std::signal(SIGINT, on_interrupt);
-  Result result;
-  {
-    Progress_bar bar(!options.quiet);
-    result = skeletonize_with_threads(points, options, bar);
-  }
-  result.reading_seconds = reading_seconds;
-  static const std::vector<Point> streamed;
-  if constexpr(std::is_same<Points, std::vector<Point>>::value)
-    write_outputs(with_branches(result.skeleton, points, size, options), options);
-  else
-    write_outputs(with_branches(result.skeleton, streamed, size, options), options);
-  const Graph_counts counts = count_graph(result.skeleton);
-  if(options.stats)
-    print_stats(size, result, counts);
-  else if(!options.quiet)
-    print_summary(size, counts);
+  Progress_bar bar(!options.quiet);
+  return skeletonize_with_threads(points, options, bar);
 }
 
 void run(const Options& options)
 {
+  CGAL::Point_set_skeletonization_3::internal::Output_transaction outputs;
+  Reading reading;
+  Result result;
+  std::size_t skipped = 0;
   if(options.stream) {
+    const std::vector<Point> streamed; // are not kept
     CGAL::Real_timer timer;
     timer.start();
-    const Builder points = stream(options);
-    run(points, points.number_of_points(), options, timer.time());
-    return;
+    const auto [builder, rows] = stream(options);
+    reading.seconds = timer.time();
+    reading.points = builder.number_of_points();
+    skipped = rows;
+    result = run(builder, options);
+    write_outputs(with_branches(result.skeleton, streamed, reading.points, options), options);
+  } else {
+    const Points_and_faces<Point> input = load(options);
+    reading.points = input.points.size();
+    skipped = input.number_of_skipped;
+    result = run(input.points, options);
+    write_outputs(with_branches(result.skeleton, input.points, reading.points, options), options);
   }
-  const std::vector<Point> points = load(options);
-  run(points, points.size(), options);
+  outputs.commit();
+
+  if(options.skip_invalid)
+    reading.skipped = skipped;
+  const Graph_counts counts = count_graph(result.skeleton);
+  if(options.stats)
+    print_stats(reading, result, counts, options);
+  else if(!options.quiet)
+    print_summary(reading, counts, options);
+  if(!std::cout)
+    throw std::runtime_error("cannot write to standard output");
+}
+
+// Returns whether it succeeded; otherwise one line on standard error says why.
+template <typename Action>
+bool succeeds(const Action& action, const std::string& of = "")
+{
+  const auto fail = [](const std::string& why) {
+    std::cerr << "skeletonize_point_set: " << why << std::endl;
+    return false;
+  };
+  try {
+    action();
+    return true;
+  } catch(const std::bad_alloc&) {
+    return fail("not enough memory" + of + "; try --stream");
+  } catch(const std::exception& error) {
+    return fail(error.what());
+  }
 }
 
 int main(int argc, char** argv)
 {
-  try {
-    const Parsed parsed = parse_options(argc, argv);
-    if(parsed.run)
-      run(parsed.options);
-    return EXIT_SUCCESS;
-  } catch(const std::exception& error) {
-    std::cerr << "skeletonize_point_set: " << error.what() << std::endl;
-    return EXIT_FAILURE;
-  }
+  end_on_signals(
+      [] { CGAL::Point_set_skeletonization_3::internal::unfinished_files().abandon(); });
+  std::vector<Options> jobs;
+  bool success = succeeds([&] { jobs = parse_options(argc, argv); });
+  for(const Options& options : jobs)
+    success = succeeds([&] { run(options); }, " for '" + options.input + "'") && success;
+  return success ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -17,7 +17,8 @@ header='ply\nformat binary_little_endian 1.0\n'
 printf "${header}${ply}end_header\n${binary_vertices}" > binary.ply
 face='\003\000\000\000\000\001\000\000\000\002\000\000\000'
 printf "${header}${ply}${faces}end_header\n${binary_vertices}${face}${face}" > binary_mesh.ply
-for file in mesh.off colours.off mesh.ply cloud.ply binary.ply binary_mesh.ply; do
+sed 's/float/int/' mesh.ply > integers.ply
+for file in mesh.off colours.off mesh.ply cloud.ply integers.ply binary.ply binary_mesh.ply; do
   accepts "$file"
   check "$file has four points" one_line out "points 4,"
 done
@@ -59,9 +60,11 @@ for ending in off ply xyz; do
   refuses "'garbage.$ending'" "garbage.$ending"
 done
 cp cloud.xyz cloud
+cp cloud.xyz cloud.doc
 cp cloud.xyz cloud.stl
 refuses "'cloud': its extension" cloud
-refuses "'cloud.stl': its extension" cloud.stl
+refuses "'cloud.doc': its extension" cloud.doc
+refuses "'cloud.stl': it breaks off or is damaged after 0 points" cloud.stl
 refuses "'wrong.ply': by its content it is a .off" wrong.ply
 refuses "'wrong.xyz': by its content it is a .off" wrong.xyz
 refuses "'wrong.off': by its content it is a .ply" wrong.off
@@ -91,7 +94,6 @@ printf "ply\nformat ascii 1.0\n${ply}end_header\n0 0 0\n1 0 nan\n1 1 0\n0 1 0\n"
 printf "OFF\n4 1 0\n${vertices}3 0 1 7\n" > index.off
 printf "ply\nformat ascii 1.0\n${ply}element face 1\nproperty list uchar int vertex_indices\n" > index.ply
 printf "end_header\n${vertices}3 0 1 7\n" >> index.ply
-sed 's/float/int/' mesh.ply > integers.ply
 sed 's/ x/ u/' mesh.ply > no_x.ply
 refuses "'nan.xyz': line 3" nan.xyz
 refuses "'intensity.xyz': line 2 is neither" intensity.xyz
@@ -101,11 +103,11 @@ refuses "'nan.ply': point 1 is not finite" nan.ply
 refuses "'nan_text.ply': line 9" nan_text.ply
 refuses "'index.off': line 7" index.off
 refuses "'index.ply': face 0" index.ply
-refuses "'integers.ply': its vertices" integers.ply
 refuses "'no_x.ply': its vertices" no_x.ply
 
 # Point after point: the same skeleton, or the same complaint.
-for file in mesh.ply cloud.ply binary.ply binary_mesh.ply normals.xyz crlf.xyz crlf.ply; do
+for file in mesh.ply cloud.ply binary.ply binary_mesh.ply normals.xyz crlf.xyz crlf.ply mesh.off \
+  colours.off crlf.off; do
   accepts "$file" --stream
   check "$file streamed has four points" one_line out "points 4,"
 done
@@ -118,7 +120,6 @@ refuses "'cloud.xyz': line 501: point 500 is outside the given box" \
   cloud.xyz --stream --box -2 -2 -1 2 2 9.9999
 refuses "'binary.ply': point 2 is outside the given box" binary.ply --stream --box 0 0 0 1 0.5 1
 refuses "'none.xyz': there is no such file" none.xyz --stream
-refuses "'mesh.off': an .off file cannot be streamed" mesh.off --stream
 for ending in ply xyz; do
   refuses "'empty.$ending'" "empty.$ending" --stream
   refuses "'text.$ending': line 1" "text.$ending" --stream
