@@ -36,8 +36,9 @@ struct Published_symbols
 struct Options
 {
   std::string input;        ///< "-": standard input
+  std::string input;           ///< "-": standard input
   bool is_one_of_many = false; ///< whether there are other inputs
-  std::string format; ///< by its extension; empty: as the input is called
+  std::string format;          ///< by its extension; empty: as the input is called
   bool skip_invalid = false;
   std::vector<std::string> outputs;
   std::string points;
