@@ -35,7 +35,6 @@ struct Published_symbols
 /// The command line of `skeletonize_point_set`.
 struct Options
 {
-  std::string input;        ///< "-": standard input
   std::string input;           ///< "-": standard input
   bool is_one_of_many = false; ///< whether there are other inputs
   std::string format;          ///< by its extension; empty: as the input is called
@@ -153,9 +152,11 @@ inline void add_published_options(CLI::App& app, Published_symbols& symbols)
 inline void add_branch_options(CLI::App& app, Options& options)
 {
   app.add_option("--branches", options.branches,
-                 "write a table of the branches, .csv: parent, order, length, radius, volume, angle");
+                 "write a table of the branches, .csv: parent, order, length, radius, volume, angle")
+      ->type_name("FILE");
   app.add_option("--segment", options.segment,
-                 "write the cloud, .ply: branch, order and distance to the skeleton of each point");
+                 "write the cloud, .ply: branch, order and distance to the skeleton of each point")
+      ->type_name("FILE");
   app.add_option("--root", options.root, "orders count from here: lowest or thickest end [lowest]")
       ->type_name("END")
       ->check(CLI::IsMember({"lowest", "thickest"}));
@@ -262,10 +263,12 @@ inline std::vector<Options> parse_options(int argc, char** argv)
                "leave out and count rows of INPUT that are no finite point");
   app.add_option("-o,--output", options.outputs,
                  "page, picture or skeleton to write, may be repeated: " + output_endings())
+      ->type_name("FILE")
       ->allow_extra_args(false);
   add_branch_options(app, options);
   app.add_option("--points", options.points,
-                 "also write the points it was computed from, .xyz; for --sample");
+                 "also write the points it was computed from, .xyz; for --sample")
+      ->type_name("FILE");
   app.add_flag("--single-component", options.single_component,
                "join all parts, for a shape known to be in one piece");
   app.add_flag("--as-published", options.as_published, "the published method, for comparison");

@@ -25,7 +25,9 @@ struct Skeletonized_cloud
   static constexpr std::uint32_t no_branch = std::uint32_t(-1);
 
   /// Refers to the points.
-  explicit Skeletonized_cloud(const std::vector<Point>& all_points) : points(all_points) {}
+  explicit Skeletonized_cloud(const std::vector<Point>& all_points)
+      : points(all_points)
+  {}
 
   std::string name;                 ///< Of the file.
   const std::vector<Point>& points; ///< Empty if they were streamed.
@@ -33,8 +35,8 @@ struct Skeletonized_cloud
   std::size_t up = 2; ///< The vertical axis: 0 for x, 1 for y, 2 for z.
   CGAL::Point_set_skeletonization_3::internal::Written_skeleton skeleton;
   std::vector<std::size_t> branch_of_vertex;
-  std::vector<std::size_t> points_of_vertex; ///< Their number.
-  std::vector<std::size_t> points_of_branch; ///< Empty if the points were streamed.
+  std::vector<std::size_t> points_of_vertex;  ///< Their number.
+  std::vector<std::size_t> points_of_branch;  ///< Empty if the points were streamed.
   std::vector<std::uint32_t> branch_of_point; ///< `no_branch` for an outlier.
 };
 

@@ -107,7 +107,7 @@ class View
 {
 public:
   View(const Axes& axes, const std::vector<Vector>& all, double left, double frame_width)
-    : axes_(axes)
+      : axes_(axes)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double x0 = infinity, x1 = -infinity, y0 = infinity, y1 = -infinity;
@@ -141,15 +141,15 @@ class Picture
 {
 public:
   Picture(cairo_t* cairo, const Skeletonized_cloud& cloud, std::size_t most_dots)
-    : cairo_(cairo), cloud_(cloud)
+      : cairo_(cairo)
+      , cloud_(cloud)
   {
     const Cloud_box box = box_of(cloud);
     const auto relative = [&box](const Vector& p) -> Vector {
       return {p[0] - box.centre(0), p[1] - box.centre(1), p[2] - box.centre(2)};
     };
     for(std::size_t i : thinned(cloud.points.size(), most_dots))
-      dots_.push_back(
-          relative({cloud.points[i].x(), cloud.points[i].y(), cloud.points[i].z()}));
+      dots_.push_back(relative({cloud.points[i].x(), cloud.points[i].y(), cloud.points[i].z()}));
     for(const auto& v : cloud.skeleton.graph.vertices) {
       vertices_.push_back(relative(v.point));
       least_ = std::min(least_, v.radius);
@@ -190,8 +190,8 @@ private:
     });
     cairo_set_line_width(cairo_, dot_width);
     for(std::size_t layer = 0; layer < layers; ++layer) {
-      for(std::size_t i = layer * places.size() / layers;
-          i < (layer + 1) * places.size() / layers; ++i) {
+      for(std::size_t i = layer * places.size() / layers; i < (layer + 1) * places.size() / layers;
+          ++i) {
         cairo_move_to(cairo_, places[i].x, places[i].y);
         cairo_close_path(cairo_); // of no length: a dot, by the round caps
       }
@@ -296,8 +296,7 @@ private:
     cairo_rectangle(cairo_, x, y, bar_width, bar_thickness);
     cairo_set_source(cairo_, gradient.get());
     cairo_fill(cairo_);
-    cairo_select_font_face(cairo_, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
-                           CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_select_font_face(cairo_, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(cairo_, 17);
     const auto digits = [](double radius) {
       std::ostringstream text;

@@ -8,8 +8,8 @@
 
 #include <ostream>
 
-/// Draws a cloud and its skeleton from two sides, as a PNG: the skeleton coloured by its radius, with
-/// its tips blue and its junctions red. \throw std::runtime_error
+/// Draws a cloud and its skeleton from two sides, as a PNG: the skeleton coloured by its radius,
+/// with its tips blue and its junctions red. \throw std::runtime_error
 void write_png(std::ostream& os, const Skeletonized_cloud& cloud);
 
 /// The same as an SVG, with fewer points.

@@ -15,8 +15,8 @@
 #include <stdexcept>
 #include <string>
 
-/// A page or a picture: how its files are named, and how they are written. Which there are depends on
-/// what was found when the program was built.
+/// A page or a picture: how its files are named, and how they are written. Which there are depends
+/// on what was found when the program was built.
 struct View_format
 {
   const char* ending;
@@ -51,8 +51,7 @@ inline const View_format* view_format_of(const std::string& filename)
 /// All endings that `-o` takes, as a list in a sentence.
 inline std::string output_endings()
 {
-  return ".html, .png, .svg, " +
-         CGAL::Point_set_skeletonization_3::internal::skeleton_endings();
+  return ".html, .png, .svg, " + CGAL::Point_set_skeletonization_3::internal::skeleton_endings();
 }
 
 /// \throw std::runtime_error if `-o` does not take a file of this name
@@ -62,8 +61,7 @@ inline void check_output_format(const std::string& filename)
   if(view != nullptr && view->write == nullptr)
     throw std::runtime_error("cannot write '" + filename + "': this program was built without " +
                              view->needs);
-  if(view == nullptr &&
-     CGAL::Point_set_skeletonization_3::internal::format_of(filename) == nullptr)
+  if(view == nullptr && CGAL::Point_set_skeletonization_3::internal::format_of(filename) == nullptr)
     throw std::runtime_error("cannot write '" + filename + "': name it " + output_endings());
 }
 

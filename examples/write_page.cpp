@@ -79,8 +79,8 @@ ordered_json cloud_json(const Skeletonized_cloud& cloud, const Cloud_box& box)
     }
     const std::uint32_t b = cloud.branch_of_point[i];
     constexpr std::uint32_t outlier = 65535;
-    branches.push_back(static_cast<std::uint16_t>(
-        b == Skeletonized_cloud::no_branch ? outlier : b % outlier));
+    branches.push_back(
+        static_cast<std::uint16_t>(b == Skeletonized_cloud::no_branch ? outlier : b % outlier));
   }
   ordered_json result;
   result["count"] = branches.size();
@@ -118,16 +118,23 @@ ordered_json skeleton_json(const Skeletonized_cloud& cloud, const Cloud_box& box
       json["points"] = cloud.points_of_branch[b];
     branches.push_back(json);
   }
-  return {{"points", points}, {"radius", radii}, {"edges", edges},
-          {"edge_branches", edge_branches}, {"branches", branches}};
+  return {{"points", points},
+          {"radius", radii},
+          {"edges", edges},
+          {"edge_branches", edge_branches},
+          {"branches", branches}};
 }
 
 ordered_json facts_json(const Skeletonized_cloud& cloud)
 {
   const Skeleton_facts facts = facts_of(cloud);
-  return {{"points", cloud.number_of_points}, {"components", facts.components},
-          {"branches", cloud.skeleton.branches.size()}, {"tips", facts.tips},
-          {"junctions", facts.junctions}, {"cycles", facts.cycles}, {"length", facts.length}};
+  return {{"points", cloud.number_of_points},
+          {"components", facts.components},
+          {"branches", cloud.skeleton.branches.size()},
+          {"tips", facts.tips},
+          {"junctions", facts.junctions},
+          {"cycles", facts.cycles},
+          {"length", facts.length}};
 }
 
 } // namespace
@@ -142,10 +149,10 @@ void write_page(std::ostream& os, const Skeletonized_cloud& cloud)
   data["size"] = {box.size(0), box.size(1), box.size(2)};
   data["diagonal"] = box.diagonal() > 0 ? box.diagonal() : 1;
   // Places are shown to about a hundred thousandth of the diagonal.
-  data["decimals"] = box.diagonal() > 0
-                         ? std::clamp(5 - static_cast<int>(std::ceil(std::log10(box.diagonal()))),
-                                      0, 12)
-                         : 3;
+  data["decimals"] =
+      box.diagonal() > 0
+          ? std::clamp(5 - static_cast<int>(std::ceil(std::log10(box.diagonal()))), 0, 12)
+          : 3;
   data["facts"] = facts_json(cloud);
   data["cloud"] = cloud_json(cloud, box);
   data["skeleton"] = skeleton_json(cloud, box);

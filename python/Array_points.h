@@ -15,8 +15,8 @@
 #include <cstring>
 #include <string>
 
-/// A property map from the number of a row to the point in it: reads an array of any layout, without
-/// a copy. The array must outlive it.
+/// A property map from the number of a row to the point in it: reads an array of any layout,
+/// without a copy. The array must outlive it.
 template <typename Number>
 class Array_points
 {
@@ -27,9 +27,9 @@ public:
   using category = boost::readable_property_map_tag;
 
   explicit Array_points(const pybind11::array& array)
-    : data_(static_cast<const char*>(array.data())),
-      row_(array.strides(0)),
-      column_(array.strides(1))
+      : data_(static_cast<const char*>(array.data()))
+      , row_(array.strides(0))
+      , column_(array.strides(1))
   {}
 
   friend value_type get(const Array_points& map, std::size_t row)
@@ -47,7 +47,8 @@ private:
 };
 
 /// Returns whatever numpy can make an array of numbers from, as an array of shape (n, 3) of float32
-/// or float64; the same array if it is one. \throw pybind11::value_error, pybind11::error_already_set
+/// or float64; the same array if it is one. \throw pybind11::value_error,
+/// pybind11::error_already_set
 inline pybind11::array to_point_array(const pybind11::object& points)
 {
   namespace py = pybind11;

@@ -115,8 +115,7 @@ struct Skeleton
     for(std::size_t b = 0; b < all.size(); ++b)
       for(std::size_t i = 1; i < all[b].vertices.size(); ++i) {
         const std::size_t v = all[b].vertices[i - 1], w = all[b].vertices[i];
-        const double length =
-            std::sqrt(CGAL::squared_distance(graph[v].point, graph[w].point));
+        const double length = std::sqrt(CGAL::squared_distance(graph[v].point, graph[w].point));
         result.attr("add_edge")(v, w, "branch"_a = b, "axis"_a = all[b].axis,
                                 "order"_a = all[b].order, "length"_a = length);
       }
@@ -211,8 +210,8 @@ Skeleton skeletonize_as_published(const py::object& points, bool tuned, bool hal
                                 .random_seed(random_seed)
                                 .number_of_iterations(number_of_iterations);
         const auto mixtures = p::alpha(
-            alpha, p::levels(levels, p::flatness(flatness,
-                                                 p::sample_flatness(sample_flatness, common))));
+            alpha,
+            p::levels(levels, p::flatness(flatness, p::sample_flatness(sample_flatness, common))));
         const auto projection = p::h_0(
             h_0, p::delta_h(delta_h, p::mu(mu, p::halt(halt, p::samples(samples, mixtures)))));
         return CGAL::extract_published_l1_medial_skeleton<CGAL::Parallel_if_available_tag>(
@@ -231,10 +230,7 @@ PYBIND11_MODULE(_core, module)
                      "A path between two vertices whose degree is not 2, or a whole cycle, or a "
                      "lone vertex. Lengths are in the unit of the points.")
       .def_property_readonly(
-          "vertices",
-          [](const Branch& b) {
-            return Array<std::int64_t>(py::cast(b.vertices));
-          },
+          "vertices", [](const Branch& b) { return Array<std::int64_t>(py::cast(b.vertices)); },
           "vertices of the path, from the end nearer to the root, int64; closed: first = last")
       .def_property_readonly(
           "parent",
@@ -282,8 +278,8 @@ PYBIND11_MODULE(_core, module)
                std::to_string(num_edges(s.graph)) + " edges>";
       });
 
-  module.def("skeletonize", &skeletonize, "points"_a, py::kw_only(),
-             "single_component"_a = false, "threads"_a = py::none(), "progress"_a = py::none(),
+  module.def("skeletonize", &skeletonize, "points"_a, py::kw_only(), "single_component"_a = false,
+             "threads"_a = py::none(), "progress"_a = py::none(),
              R"(Extracts the curve skeleton of a point cloud.
 
 points: array of shape (n, 3), float32 or float64 in any layout, which is not copied; in any unit.
@@ -293,8 +289,8 @@ threads: number of threads; None: all cores. The result does not depend on it.
 progress: called with the progress in [0, 1]; returning False cancels (RuntimeError).
 
 Raises ValueError if the shape is another one or a coordinate is not finite; the message names the
-row. Ctrl-C cancels. Other Python threads go on meanwhile. Time is O(n), and O(m log m) for m <= 131072
-grid cells.)");
+row. Ctrl-C cancels. Other Python threads go on meanwhile. Time is O(n), and O(m log m) for
+m <= 131072 grid cells.)");
 
   module.def(
       "skeletonize_as_published", &skeletonize_as_published, "points"_a, py::kw_only(),

@@ -10,9 +10,9 @@
 #include <functional>
 #include <stdexcept>
 
-/// Runs `run(callback)` without Python's lock, so that other Python threads go on. The callback lets
-/// Ctrl-C and `progress`, if it is not None, cancel; what either raises is raised here.
-/// \throw std::runtime_error if `progress` returned False
+/// Runs `run(callback)` without Python's lock, so that other Python threads go on. The callback
+/// lets Ctrl-C and `progress`, if it is not None, cancel; what either raises is raised here. \throw
+/// std::runtime_error if `progress` returned False
 template <typename Run>
 void run_with_progress(const pybind11::object& progress, const Run& run)
 {

@@ -10,11 +10,12 @@
 
 namespace CGAL {
 
-/// A branch of a curve skeleton: a path between two vertices whose degree is not 2, or a whole cycle
-/// without a junction, or a lone vertex. Lengths are in the unit of the input, angles in degrees.
+/// A branch of a curve skeleton: a path between two vertices whose degree is not 2, or a whole
+/// cycle without a junction, or a lone vertex. Lengths are in the unit of the input, angles in
+/// degrees.
 ///
-/// Where limbs grow from limbs, as in a tree, several branches make one limb: the trunk goes on after
-/// every junction. Such a limb is an *axis*. Its branches have the same `axis` and `order`.
+/// Where limbs grow from limbs, as in a tree, several branches make one limb: the trunk goes on
+/// after every junction. Such a limb is an *axis*. Its branches have the same `axis` and `order`.
 ///
 /// \tparam Vertex the vertex descriptor of the skeleton
 template <typename Vertex = std::size_t>

@@ -25,11 +25,11 @@ using Skeleton_branch_of =
 /// Returns the branches of a skeleton with their measures, from the roots outwards.
 ///
 /// A branch is a path between two vertices whose degree is not 2; a root is an end of branches even
-/// if its degree is 2. Each edge is in exactly one branch. The branches of a component are ordered by
-/// the distance of their far ends from the nearest root, measured along the skeleton: a parent comes
-/// before its children. Components are ordered by their first vertices. Where the skeleton has a cycle, the branch that is reached from both ends is marked by
-/// `closes_cycle`; it starts at the end that is nearer to the root. A cycle without a junction is one
-/// closed branch.
+/// if its degree is 2. Each edge is in exactly one branch. The branches of a component are ordered
+/// by the distance of their far ends from the nearest root, measured along the skeleton: a parent
+/// comes before its children. Components are ordered by their first vertices. Where the skeleton
+/// has a cycle, the branch that is reached from both ends is marked by `closes_cycle`; it starts at
+/// the end that is nearer to the root. A cycle without a junction is one closed branch.
 ///
 /// \tparam Skeleton a `Curve_skeleton_3`, or another BGL graph with `.point` and `.radius` in its
 ///   vertex bundle
@@ -38,12 +38,12 @@ using Skeleton_branch_of =
 /// \param roots vertices from which orders are counted, for example the foot of a tree. A component
 ///   without any gets its lowest tip or junction, see `lowest_vertices()`.
 ///
-/// O(n log n) for n vertices and edges. The same skeleton gives the same branches in the same order.
+/// O(n log n) for n vertices and edges. The same skeleton gives the same branches in the same
+/// order.
 template <typename Skeleton>
-std::vector<Skeleton_branch_of<Skeleton>>
-skeleton_branches(const Skeleton& skeleton,
-                  const std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor>&
-                      roots = {})
+std::vector<Skeleton_branch_of<Skeleton>> skeleton_branches(
+    const Skeleton& skeleton,
+    const std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor>& roots = {})
 {
   namespace internal = Point_set_skeletonization_3::internal;
   const internal::Numbered_skeleton<Skeleton> numbered(skeleton);
@@ -88,23 +88,21 @@ lowest_vertices(const Skeleton& skeleton, std::size_t axis = 2)
 {
   namespace internal = Point_set_skeletonization_3::internal;
   const internal::Numbered_skeleton<Skeleton> numbered(skeleton);
-  return numbered.vertices_of(internal::least_ends(numbered.plain, [&](std::size_t v) {
-    return numbered.plain.vertices[v].point[axis];
-  }));
+  return numbered.vertices_of(internal::least_ends(
+      numbered.plain, [&](std::size_t v) { return numbered.plain.vertices[v].point[axis]; }));
 }
 
 /// Returns the tip or junction of each component with the greatest radius, the first of several; of
-/// a cycle without a junction, its vertex with the greatest radius. Does not depend on the direction
-/// in which the shape lies. O(n).
+/// a cycle without a junction, its vertex with the greatest radius. Does not depend on the
+/// direction in which the shape lies. O(n).
 template <typename Skeleton>
 std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor>
 thickest_vertices(const Skeleton& skeleton)
 {
   namespace internal = Point_set_skeletonization_3::internal;
   const internal::Numbered_skeleton<Skeleton> numbered(skeleton);
-  return numbered.vertices_of(internal::least_ends(numbered.plain, [&](std::size_t v) {
-    return -numbered.plain.vertices[v].radius;
-  }));
+  return numbered.vertices_of(internal::least_ends(
+      numbered.plain, [&](std::size_t v) { return -numbered.plain.vertices[v].radius; }));
 }
 
 } // namespace CGAL

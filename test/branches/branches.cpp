@@ -169,8 +169,8 @@ TEST_CASE("an angle is measured outside the parent")
 
 TEST_CASE("a cycle is one closed branch, or is closed by one branch")
 {
-  const Skeleton ring = make({{1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, -1}},
-                             {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
+  const Skeleton ring =
+      make({{1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, -1}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
   const auto branches = CGAL::skeleton_branches(ring);
   check_branches(ring, branches);
   REQUIRE(branches.size() == 1);
@@ -181,9 +181,8 @@ TEST_CASE("a cycle is one closed branch, or is closed by one branch")
   CHECK(branches[0].chord == 0);
 
   // A theta with a foot: of the three ways from 1 to 2, two close a cycle.
-  const Skeleton theta =
-      make({{0, 0, 0}, {0, 0, 1}, {0, 0, 3}, {1, 0, 2}, {-2, 0, 2}, {0, 0, 2}},
-           {{0, 1}, {1, 3}, {3, 2}, {1, 4}, {4, 2}, {1, 5}, {5, 2}});
+  const Skeleton theta = make({{0, 0, 0}, {0, 0, 1}, {0, 0, 3}, {1, 0, 2}, {-2, 0, 2}, {0, 0, 2}},
+                              {{0, 1}, {1, 3}, {3, 2}, {1, 4}, {4, 2}, {1, 5}, {5, 2}});
   const auto ways = CGAL::skeleton_branches(theta);
   check_branches(theta, ways);
   REQUIRE(ways.size() == 4);
@@ -197,8 +196,8 @@ TEST_CASE("a cycle is one closed branch, or is closed by one branch")
     CHECK(ways[b].order == 1);
   }
   // A loop at a junction.
-  const Skeleton loop = make({{0, 0, 0}, {0, 0, 1}, {1, 0, 2}, {-1, 0, 2}},
-                             {{0, 1}, {1, 2}, {2, 3}, {3, 1}});
+  const Skeleton loop =
+      make({{0, 0, 0}, {0, 0, 1}, {1, 0, 2}, {-1, 0, 2}}, {{0, 1}, {1, 2}, {2, 3}, {3, 1}});
   const auto two = CGAL::skeleton_branches(loop);
   check_branches(loop, two);
   REQUIRE(two.size() == 2);

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Writes a skeleton made by hand in every format: `made_up_skeleton FILE...`. It has a trunk, a ring
-// on top of it, a twig and a vertex alone, at UTM coordinates that need all digits of a double.
+// Writes a skeleton made by hand in every format: `made_up_skeleton FILE...`. It has a trunk, a
+// ring on top of it, a twig and a vertex alone, at UTM coordinates that need all digits of a
+// double.
 
 #include <CGAL/Curve_skeleton_3.h>
 #include <CGAL/IO/Curve_skeleton_3.h>
@@ -19,8 +20,8 @@ using Kernel = CGAL::Simple_cartesian<double>;
 int main(int argc, char** argv)
 {
   CGAL::Curve_skeleton_3<Kernel> skeleton;
-  const std::vector<std::vector<double>> points{
-      {0, 0, 0}, {0, 0, 1}, {0, 0, 2}, {1, 0, 3}, {0, 0, 4}, {-1, 0, 3}, {0, 2, 1}, {9, 9, 9}};
+  const std::vector<std::vector<double>> points{{0, 0, 0}, {0, 0, 1},  {0, 0, 2}, {1, 0, 3},
+                                                {0, 0, 4}, {-1, 0, 3}, {0, 2, 1}, {9, 9, 9}};
   for(std::size_t i = 0; i < points.size(); ++i) {
     const auto v = add_vertex(skeleton);
     skeleton[v].point = Kernel::Point_3(500000 + points[i][0] / 3, 5300000 + points[i][1] / 7,

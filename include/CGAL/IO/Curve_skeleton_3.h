@@ -34,8 +34,8 @@ inline bool is_curve_skeleton_filename(const std::string& filename)
  * - `.ply`: vertices with `x y z radius`, edges with `vertex1 vertex2`; text.
  * - `.vtp`: VTK and ParaView. A polyline per branch, with `branch`, `axis`, `order`, `length` and
  *   `mean_radius`; points with `radius`.
- * - `.graphml`: networkx, igraph. Nodes with `x y z radius`, edges with `branch`, `axis`, `order` and
- *   `length`.
+ * - `.graphml`: networkx, igraph. Nodes with `x y z radius`, edges with `branch`, `axis`, `order`
+ *   and `length`.
  * - `.swc`: neuron reconstructions. Cycles are opened; comments name the edges left out.
  * - `.dxf`: AutoCAD release 12. A 3D polyline per branch, in the layer of its order.
  * - `.csv`: a quantitative structure model (QSM): a cylinder per edge, with the columns of

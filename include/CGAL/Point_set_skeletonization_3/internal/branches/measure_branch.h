@@ -88,8 +88,8 @@ inline double angle_between(const Plain_skeleton& skeleton, const Plain_branch& 
   const Plain_point v = first_direction(skeleton, after.begin(), after.end(), reach);
   if(dot(u, u) == 0 || dot(v, v) == 0)
     return std::numeric_limits<double>::quiet_NaN();
-  const Plain_point cross{{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                           u[0] * v[1] - u[1] * v[0]}};
+  const Plain_point cross{
+      {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]}};
   // `u` points back along the parent.
   return std::atan2(std::sqrt(dot(cross, cross)), -dot(u, v)) * 180 / CGAL_PI;
 }

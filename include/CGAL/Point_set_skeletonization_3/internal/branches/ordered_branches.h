@@ -54,8 +54,8 @@ void for_each_component(const Incidences& incidences, const Visit& visit)
   }
 }
 
-/// Returns the vertex with the least `cost(v)`, the first of several: of the tips and junctions of a
-/// component, or of all vertices of a cycle without a junction.
+/// Returns the vertex with the least `cost(v)`, the first of several: of the tips and junctions of
+/// a component, or of all vertices of a cycle without a junction.
 template <typename Cost>
 std::size_t least_end(const std::vector<std::size_t>& component, const Incidences& incidences,
                       const Cost& cost)
@@ -63,9 +63,8 @@ std::size_t least_end(const std::vector<std::size_t>& component, const Incidence
   const auto rank = [&](std::size_t v) {
     return std::make_tuple(incidences[v].size() == 2, cost(v), v);
   };
-  return *std::min_element(
-      component.begin(), component.end(),
-      [&rank](std::size_t v, std::size_t w) { return rank(v) < rank(w); });
+  return *std::min_element(component.begin(), component.end(),
+                           [&rank](std::size_t v, std::size_t w) { return rank(v) < rank(w); });
 }
 
 /// The same for each component, in the order of their first vertices. O(n).
@@ -130,9 +129,9 @@ inline std::vector<Plain_branch> paths_between(const std::vector<bool>& is_node,
   return result;
 }
 
-/// Orders branches by component, then by the distance of their far ends from the nearest root, along
-/// the skeleton, and directs them away from it. Sets parents, and which branches close a cycle.
-/// O(n log n).
+/// Orders branches by component, then by the distance of their far ends from the nearest root,
+/// along the skeleton, and directs them away from it. Sets parents, and which branches close a
+/// cycle. O(n log n).
 inline std::vector<Plain_branch> directed_from(const std::vector<std::size_t>& roots,
                                                const Incidences& incidences,
                                                std::vector<Plain_branch> branches)
@@ -255,8 +254,7 @@ inline std::vector<Plain_branch> ordered_branches(const Plain_skeleton& skeleton
   for(std::size_t v : roots)
     is_node[v] = true;
 
-  std::vector<Plain_branch> branches =
-      paths_between(is_node, incidences, skeleton.edges.size());
+  std::vector<Plain_branch> branches = paths_between(is_node, incidences, skeleton.edges.size());
   for(Plain_branch& branch : branches)
     measure_branch(skeleton, branch);
   branches = directed_from(roots, incidences, std::move(branches));

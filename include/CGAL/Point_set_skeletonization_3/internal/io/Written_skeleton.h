@@ -28,13 +28,12 @@ struct Written_skeleton
 
 /// Returns a BGL graph with its branches from these roots, for the writers. O(n log n).
 template <typename Skeleton>
-Written_skeleton
-written_skeleton(const Skeleton& skeleton,
-                 const std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor>& roots)
+Written_skeleton written_skeleton(
+    const Skeleton& skeleton,
+    const std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor>& roots)
 {
   Numbered_skeleton<Skeleton> numbered(skeleton);
-  std::vector<Plain_branch> branches =
-      ordered_branches(numbered.plain, numbered.numbers_of(roots));
+  std::vector<Plain_branch> branches = ordered_branches(numbered.plain, numbered.numbers_of(roots));
   return {std::move(numbered.plain), std::move(branches)};
 }
 
@@ -44,8 +43,8 @@ inline std::ostream& operator<<(std::ostream& os, const Plain_point& p)
   return os << p[0] << ' ' << p[1] << ' ' << p[2];
 }
 
-/// Calls `visit(branch, from, to)` for each edge with the position of its branch and with its ends in
-/// the direction of the branch, branch by branch.
+/// Calls `visit(branch, from, to)` for each edge with the position of its branch and with its ends
+/// in the direction of the branch, branch by branch.
 template <typename Visit>
 void for_each_edge(const Written_skeleton& skeleton, const Visit& visit)
 {

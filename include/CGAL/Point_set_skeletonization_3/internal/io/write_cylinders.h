@@ -31,7 +31,7 @@ inline void write_cylinders(std::ostream& os, const Written_skeleton& skeleton)
     const Plain_branch& branch = skeleton.branches[b];
     const Plain_vertex& start = skeleton.graph.vertices[v];
     const Plain_vertex& end = skeleton.graph.vertices[w];
-    const std::size_t parent = last[b] != none        ? last[b]
+    const std::size_t parent = last[b] != none         ? last[b]
                                : branch.parent != none ? last[branch.parent]
                                                        : none;
     os << id << ',' << number_or_minus_one(parent) << ',';

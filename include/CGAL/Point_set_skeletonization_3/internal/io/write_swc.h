@@ -16,8 +16,8 @@ namespace Point_set_skeletonization_3 {
 namespace internal {
 
 /// SWC, the format of neuron reconstructions: `id type x y z radius parent`, ids from 1, the type 0
-/// (undefined), the parent -1 for a root. It can hold trees only, so a cycle is opened at the far end
-/// of the branch that closes it; comments name the two ids of each edge left out.
+/// (undefined), the parent -1 for a root. It can hold trees only, so a cycle is opened at the far
+/// end of the branch that closes it; comments name the two ids of each edge left out.
 inline void write_swc(std::ostream& os, const Written_skeleton& skeleton)
 {
   os << "# id type x y z radius parent\n";

@@ -15,12 +15,14 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// VTK's XML PolyData, text: a polyline per branch, a vertex cell per lone vertex. Points have their
-/// radius; cells have the number, axis and order of their branch, its length and mean radius.
+/// VTK's XML PolyData, text: a polyline per branch, a vertex cell per lone vertex. Points have
+/// their radius; cells have the number, axis and order of their branch, its length and mean radius.
 class Vtp_writer
 {
 public:
-  Vtp_writer(std::ostream& os, const Written_skeleton& skeleton) : os_(os), skeleton_(skeleton)
+  Vtp_writer(std::ostream& os, const Written_skeleton& skeleton)
+      : os_(os)
+      , skeleton_(skeleton)
   {
     for(std::size_t b = 0; b < skeleton.branches.size(); ++b)
       (skeleton.branches[b].vertices.size() == 1 ? lone_ : lines_).push_back(b);
@@ -38,8 +40,10 @@ public:
     array("Float64", "radius", vertices, [](const Plain_vertex& v) { return v.radius; });
     os_ << "</PointData>\n<CellData Scalars=\"order\">\n";
     cell_array("Int64", "branch", [](std::size_t b, const Plain_branch&) { return b; });
-    cell_array("Int64", "axis", [](std::size_t, const Plain_branch& branch) { return branch.axis; });
-    cell_array("Int64", "order", [](std::size_t, const Plain_branch& branch) { return branch.order; });
+    cell_array("Int64", "axis",
+               [](std::size_t, const Plain_branch& branch) { return branch.axis; });
+    cell_array("Int64", "order",
+               [](std::size_t, const Plain_branch& branch) { return branch.order; });
     cell_array("Float64", "length",
                [](std::size_t, const Plain_branch& branch) { return branch.length; });
     cell_array("Float64", "mean_radius",
