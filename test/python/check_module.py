@@ -88,7 +88,7 @@ class ModuleTest(unittest.TestCase):
         self.assertEqual([b.order for b in s.branches].count(1), 1)
         self.assertEqual([b.parent for b in s.branches], [None, 0, 0])
         side = max(s.branches, key=lambda b: s.vertices[b.vertices[-1], 0])
-        self.assertAlmostEqual(side.angle, 90, delta=15)
+        self.assertAlmostEqual(side.angle, 90, delta=5)
         self.assertAlmostEqual(side.mean_radius, 0.6, delta=0.15)
         path = s.vertices[side.vertices]
         lengths = numpy.linalg.norm(numpy.diff(path, axis=0), axis=1)

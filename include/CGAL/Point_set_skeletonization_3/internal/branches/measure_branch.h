@@ -9,6 +9,7 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -56,23 +57,35 @@ inline void measure_branch(const Plain_skeleton& skeleton, Plain_branch& branch)
   branch.mean_radius = branch.length > 0 ? radius_by_length / branch.length : at(0).radius;
 }
 
-/// Returns the direction in which a path starts: that of its chord of the length `reach` along the
-/// path, or of its first edge if that is longer.
+/// Returns the point at a length along a path; its end if that is shorter.
 template <typename Iterator>
-Plain_point first_direction(const Plain_skeleton& skeleton, Iterator begin, Iterator end,
-                            double reach)
+Plain_point point_along(const Plain_skeleton& skeleton, Iterator begin, Iterator end, double length)
 {
-  const Plain_point origin = skeleton.vertices[*begin].point;
-  Plain_point at = origin;
-  for(Iterator v = std::next(begin); v != end && (at == origin || reach > 0); ++v) {
+  Plain_point at = skeleton.vertices[*begin].point;
+  for(Iterator v = std::next(begin); v != end && length > 0; ++v) {
     const Plain_point next = skeleton.vertices[*v].point;
-    const double length = distance(at, next);
-    const double share = at == origin || length <= reach ? 1 : reach / length;
+    const double edge = distance(at, next);
+    const double share = edge <= length ? 1 : length / edge;
     for(std::size_t k = 0; k < 3; ++k)
       at[k] += share * (next[k] - at[k]);
-    reach -= length;
+    length -= edge;
   }
-  return difference(at, origin);
+  return at;
+}
+
+/// Returns the direction in which a path leaves a junction of this radius. The path bends inside
+/// the limbs that meet there, so it is that of the chord from two to five radii: on round limbs
+/// that meet at 45 to 120 degrees within a degree, where the first three radii are 15
+/// degrees off.
+template <typename Iterator>
+Plain_point direction_from(const Plain_skeleton& skeleton, Iterator begin, Iterator end,
+                           double length, double radius)
+{
+  constexpr double first = 2, last = 5; // radii
+  const double reach = radius > 0 ? (std::min)(last * radius, length) : length;
+  const double start = (std::min)(first * radius, reach / 2);
+  return difference(point_along(skeleton, begin, end, reach),
+                    point_along(skeleton, begin, end, start));
 }
 
 /// Returns the angle between the end of one branch and the start of another, see
@@ -80,12 +93,12 @@ Plain_point first_direction(const Plain_skeleton& skeleton, Iterator begin, Iter
 inline double angle_between(const Plain_skeleton& skeleton, const Plain_branch& parent,
                             const Plain_branch& branch)
 {
-  constexpr double radii = 3;
-  const double reach = radii * skeleton.vertices[branch.vertices.front()].radius;
+  const double radius = skeleton.vertices[branch.vertices.front()].radius;
   const auto& before = parent.vertices;
   const auto& after = branch.vertices;
-  const Plain_point u = first_direction(skeleton, before.rbegin(), before.rend(), reach);
-  const Plain_point v = first_direction(skeleton, after.begin(), after.end(), reach);
+  const Plain_point u =
+      direction_from(skeleton, before.rbegin(), before.rend(), parent.length, radius);
+  const Plain_point v = direction_from(skeleton, after.begin(), after.end(), branch.length, radius);
   if(dot(u, u) == 0 || dot(v, v) == 0)
     return std::numeric_limits<double>::quiet_NaN();
   const Plain_point cross{
