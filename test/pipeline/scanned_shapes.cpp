@@ -26,7 +26,7 @@ using shapes::Variant;
 
 namespace {
 
-constexpr std::size_t number_of_points = 20000;
+constexpr std::size_t number_of_points = 10000;
 
 Skeleton skeleton_of(const shapes::Known_shape& shape, Variant variant)
 {

@@ -29,8 +29,8 @@ struct Curve_options
   /// Radii; widest gap between points that is bridged along a limb: twice its thickness. >= 0.
   double widest_gap = 4;
 
-  /// Resolutions; limbs of smaller radius have no reliable radius or direction, and count as this
-  /// thick for gaps in any direction. >= 0.
+  /// Resolutions; limbs of smaller radius have no reliable radius, and count as this thick. They
+  /// have no reliable direction either: gaps of `widest_gap` resolutions are bridged in any. >= 0.
   double thin_limb = 2;
 
   /// Least cosine between the direction of a tip and the gap, in (0, 1]: 37 degrees, which limbs

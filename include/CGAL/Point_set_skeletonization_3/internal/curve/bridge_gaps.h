@@ -100,13 +100,13 @@ private:
   /// Whether a bridge from a tip to vertex `w` is plausible.
   bool is_plausible(std::size_t end, std::size_t w) const
   {
-    const double thin = options_.thin_limb * graph_.vertices[end].resolution;
+    const Skeleton_graph::Vertex &tip = graph_.vertices[end], &other = graph_.vertices[w];
+    const double thin = options_.thin_limb * tip.resolution;
     const double gap = distance(end, w) - reach_[end] - reach_[w]; // without points
-    const double radius = std::max(graph_.vertices[end].radius, graph_.vertices[w].radius);
-    if(graph_.vertices[end].radius < thin && gap < options_.widest_gap * thin)
+    if(tip.radius < thin && gap < options_.widest_gap * tip.resolution)
       return true;
-    return gap < options_.widest_gap * radius && points_at(end, w) &&
-           (adjacency_[w].size() != 1 || points_at(w, end));
+    return gap < options_.widest_gap * std::max({tip.radius, other.radius, thin}) &&
+           points_at(end, w) && (adjacency_[w].size() != 1 || points_at(w, end));
   }
 
   void add(std::vector<Bridge> bridges)
