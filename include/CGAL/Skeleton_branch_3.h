@@ -10,6 +10,8 @@
 
 namespace CGAL {
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// A branch of a curve skeleton: a path between two vertices whose degree is not 2, or a whole
 /// cycle without a junction, or a lone vertex. Lengths are in the unit of the input, angles in
 /// degrees.

@@ -17,11 +17,15 @@
 
 namespace CGAL {
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// A branch of a skeleton of this type.
 template <typename Skeleton>
 using Skeleton_branch_of =
     Skeleton_branch_3<typename boost::graph_traits<Skeleton>::vertex_descriptor>;
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// Returns the branches of a skeleton with their measures, from the roots outwards.
 ///
 /// A branch is a path between two vertices whose degree is not 2; a root is an end of branches even
@@ -66,8 +70,11 @@ std::vector<Skeleton_branch_of<Skeleton>> skeleton_branches(
   return result;
 }
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// Returns, for every vertex, the position of its branch in the result of `skeleton_branches()`. A
 /// junction belongs to the branch that leads to it, a root to the first of its branches. O(n).
+/// \param branches all branches of a skeleton
 template <typename Vertex>
 std::unordered_map<Vertex, std::size_t>
 branch_of_vertices(const std::vector<Skeleton_branch_3<Vertex>>& branches)
@@ -79,8 +86,11 @@ branch_of_vertices(const std::vector<Skeleton_branch_3<Vertex>>& branches)
   return result;
 }
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// Returns the lowest tip or junction of each component, the first of several; of a cycle without a
 /// junction, its lowest vertex. Roots for a tree that stands. O(n).
+/// \param skeleton the skeleton
 /// \param axis the vertical one: 0 for x, 1 for y, 2 for z
 template <typename Skeleton>
 std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor>
@@ -92,6 +102,8 @@ lowest_vertices(const Skeleton& skeleton, std::size_t axis = 2)
       numbered.plain, [&](std::size_t v) { return numbered.plain.vertices[v].point[axis]; }));
 }
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// Returns the tip or junction of each component with the greatest radius, the first of several; of
 /// a cycle without a junction, its vertex with the greatest radius. Does not depend on the
 /// direction in which the shape lies. O(n).

@@ -19,6 +19,8 @@
 namespace CGAL {
 namespace IO {
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// whether `filename` ends like a file that `write_curve_skeleton()` can write.
 inline bool is_curve_skeleton_filename(const std::string& filename)
 {
@@ -26,6 +28,8 @@ inline bool is_curve_skeleton_filename(const std::string& filename)
 }
 
 /*!
+ * \ingroup PkgPointSetSkeletonization3Ref
+ *
  * writes a curve skeleton to a file whose ending, in small or capital letters, chooses the format:
  *
  * - `.polylines.txt`: CGAL's polylines, a branch a line as `n x1 y1 z1 ... xn yn zn`. A closed one
