@@ -108,6 +108,16 @@ class FormatsTest(unittest.TestCase):
         self.assertEqual(edges | {sorted_edge(v, w)}, EDGES)
         self.assertNotIn(sorted_edge(v, w), edges)
 
+    def test_tubes_by_meshio(self):
+        mesh = meshio.read("s.off")
+        self.assertEqual([block.type for block in mesh.cells], ["triangle"])
+        triangles = mesh.cells[0].data
+        sides = [(t[k], t[(k + 1) % 3]) for t in triangles.tolist() for k in range(3)]
+        self.assertEqual(len(set(sides)), len(sides))  # closed: every side once in each direction
+        self.assertEqual({(w, v) for v, w in sides}, set(sides))
+        away = [min(math.dist(p, q) for q in POINTS) for p in mesh.points]
+        self.assertLess(max(away), 1)
+
     def test_cylinders(self):
         with open("s.csv", encoding="ascii", newline="") as file:
             rows = list(csv.DictReader(file))

@@ -44,6 +44,8 @@ inline bool is_curve_skeleton_filename(const std::string& filename)
  * - `.dxf`: AutoCAD release 12. A 3D polyline per branch, in the layer of its order.
  * - `.csv`: a quantitative structure model (QSM): a cylinder per edge, with the columns of
  *   SimpleForest. Its segments are our branches, its branches are our axes.
+ * - `.off`: tubes as thick as the radii, a closed triangle mesh per branch. Tubes overlap at
+ *   junctions.
  *
  * Coordinates are written with all digits of a `double`. The file appears only when it is complete.
  * O(n log n) for n vertices and edges.

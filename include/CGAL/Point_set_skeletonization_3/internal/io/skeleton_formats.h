@@ -12,6 +12,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/io/write_ply.h>
 #include <CGAL/Point_set_skeletonization_3/internal/io/write_polylines.h>
 #include <CGAL/Point_set_skeletonization_3/internal/io/write_swc.h>
+#include <CGAL/Point_set_skeletonization_3/internal/io/write_tubes.h>
 #include <CGAL/Point_set_skeletonization_3/internal/io/write_vtp.h>
 
 #include <algorithm>
@@ -40,6 +41,7 @@ inline constexpr Skeleton_format skeleton_formats[] = {
     {".swc", write_swc},
     {".dxf", write_dxf},
     {".csv", write_cylinders},
+    {".off", write_tubes},
 };
 
 /// Whether `text` ends with `ending`, given in small letters, in small or capital letters.
