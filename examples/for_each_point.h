@@ -6,10 +6,12 @@
 
 #include "read_file.h"
 
-#include <CGAL/Bbox_3.h>
+#include <CGAL/Bulk_bbox_3.h>
+#include <CGAL/Kernel_traits.h>
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 /// Calls `use` with the points of a file one after the other, in memory that does not depend on
 /// their number; a mesh's vertices are points. Else as `read_points()`: the same errors, also what
@@ -30,16 +32,20 @@ for_each_point(const std::string& filename, const Use& use,
   return rows.number_of_skipped();
 }
 
-/// The bounding box of the points of a file; see `for_each_point()`.
+/// The box of the bulk of the points of some files, each of which is read once or, if there are
+/// points far away, twice; see `for_each_point()`.
 template <typename Point>
-CGAL::Bbox_3
-box_of_file(const std::string& filename,
-            const point_files::Reading_options& options = point_files::Reading_options())
+CGAL::Bulk_bbox_3<typename CGAL::Kernel_traits<Point>::Kernel>
+bulk_of_files(const std::vector<std::string>& filenames,
+              const point_files::Reading_options& options = point_files::Reading_options())
 {
-  CGAL::Bbox_3 box;
-  for_each_point<Point>(
-      filename, [&box](const Point& p) { box += p.bbox(); }, options);
-  return box;
+  CGAL::Bulk_bbox_3<typename CGAL::Kernel_traits<Point>::Kernel> bulk;
+  do
+    for(const std::string& filename : filenames)
+      for_each_point<Point>(
+          filename, [&bulk](const Point& p) { bulk.insert(p); }, options);
+  while(!bulk.end_pass());
+  return bulk;
 }
 
 #endif // POINT_SET_SKELETONIZATION_3_EXAMPLES_FOR_EACH_POINT_H

@@ -198,8 +198,8 @@ std::pair<Builder, std::size_t> stream(const Options& options)
   Progress_bar bar(!options.quiet);
   const point_files::Reading_options reading = reading_options(options, bar);
   const std::vector<double>& b = options.box;
-  Builder builder(b.empty() ? box_of_file<Point>(options.input, reading)
-                            : CGAL::Bbox_3(b[0], b[1], b[2], b[3], b[4], b[5]));
+  Builder builder = b.empty() ? Builder(bulk_of_files<Point>({options.input}, reading))
+                              : Builder(CGAL::Bbox_3(b[0], b[1], b[2], b[3], b[4], b[5]));
   const std::size_t skipped = for_each_point<Point>(
       options.input, [&builder](const Point& p) { builder.insert(p); }, reading);
   return {std::move(builder), skipped};

@@ -5,7 +5,7 @@
 
 #include "for_each_point.h"
 
-#include <CGAL/Bbox_3.h>
+#include <CGAL/Bulk_bbox_3.h>
 #include <CGAL/Curve_skeleton_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gaussian_mixture_builder_3.h>
@@ -26,9 +26,7 @@ int main(int argc, char** argv)
   if(files.empty())
     files.push_back(CGAL::data_file_path("points_3/kitten.xyz"));
 
-  CGAL::Bbox_3 box;
-  for(const std::string& file : files)
-    box += box_of_file<Point>(file);
+  const CGAL::Bulk_bbox_3<Kernel> box = bulk_of_files<Point>(files);
 
   // A builder per file, for instance in a thread or on a machine of its own.
   Builder all(box);

@@ -74,7 +74,7 @@ void skeletonize_bare(const std::vector<Point>& points, Stopwatch& stopwatch)
 
 void skeletonize_stream(const std::string& file, Stopwatch& stopwatch)
 {
-  const CGAL::Bbox_3 box = stopwatch.stage("extent", [&] { return box_of_file<Point>(file); });
+  const auto box = stopwatch.stage("extent", [&] { return bulk_of_files<Point>({file}); });
   CGAL::Gaussian_mixture_builder_3<Kernel> builder(box);
   stopwatch.stage("moments", [&] {
     for_each_point<Point>(file, [&builder](const Point& p) { builder.insert(p); });

@@ -10,8 +10,9 @@ namespace point_files {
 
 namespace {
 
-// A buffer of this size is read in about a millisecond.
-constexpr std::size_t buffer_size = std::size_t(1) << 18;
+// A buffer of this size is read in about a millisecond; small files take a smaller one.
+constexpr std::uint64_t buffer_size = std::uint64_t(1) << 18;
+constexpr std::uint64_t least_buffer_size = std::uint64_t(1) << 8;
 
 // The face of a mesh with a million corners fits; a file without ends of lines is not read into
 // memory.
@@ -20,7 +21,10 @@ constexpr std::size_t longest_line = std::size_t(1) << 24;
 } // namespace
 
 Input::Input(std::streambuf& bytes, std::uint64_t size)
-  : bytes_(bytes), size_(size), buffer_(buffer_size)
+  : bytes_(bytes),
+    size_(size),
+    buffer_(static_cast<std::size_t>(
+        size == unknown ? buffer_size : std::clamp(size + 1, least_buffer_size, buffer_size)))
 {}
 
 // Reads more behind what is in the buffer, which grows if it is full.

@@ -4,6 +4,7 @@
 #ifndef CGAL_GAUSSIAN_MIXTURE_BUILDER_3_H
 #define CGAL_GAUSSIAN_MIXTURE_BUILDER_3_H
 
+#include <CGAL/Bulk_bbox_3.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Normalization.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/named_parameters.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/public_data.h>
@@ -52,10 +53,19 @@ public:
 
   /// \param box contains all points, best their bounding box. A larger one gives a coarser grid: no
   ///        cell is narrower than 1/4096 of the diagonal. An empty box contains no points.
-  /// \throws std::invalid_argument if the box is not finite
+  /// \throws std::invalid_argument if the box is not finite, or a least coordinate greater than the
+  ///         greatest
   explicit Gaussian_mixture_builder_3(const Bbox_3& box)
     : box_(box), normalization_(normalization_of(box))
   {}
+
+  /// The same for the box of the bulk of the points: those outside are not refused, but counted as
+  /// outliers.
+  explicit Gaussian_mixture_builder_3(const Bulk_bbox_3<Traits>& bulk)
+    : Gaussian_mixture_builder_3(bulk.bbox())
+  {
+    leaves_out_far_ = true;
+  }
 
   /// Adds the points of a range, which is read once. O(1) amortised per point.
   /// \param points the range
@@ -87,9 +97,12 @@ public:
     const bool inside = box_.xmin() <= p.x() && p.x() <= box_.xmax() && //
                         box_.ymin() <= p.y() && p.y() <= box_.ymax() && //
                         box_.zmin() <= p.z() && p.z() <= box_.zmax();
-    if(!inside)
+    if(!inside && !leaves_out_far_)
       fail("is outside the given box; enlarge the box");
-    moments_.add(normalization_.to_unit(p));
+    if(inside)
+      moments_.add(normalization_.to_unit(p));
+    else
+      ++number_of_far_;
     ++number_of_points_;
   }
 
@@ -100,10 +113,12 @@ public:
     CGAL_precondition(other.box_ == box_);
     moments_.add(other.moments_);
     number_of_points_ += other.number_of_points_;
+    number_of_far_ += other.number_of_far_;
   }
 
   const Bbox_3& box() const { return box_; }
 
+  /// Number of points inserted, those far from all others included.
   std::size_t number_of_points() const { return number_of_points_; }
 
 private:
@@ -112,10 +127,13 @@ private:
 
   static Normalization normalization_of(const Bbox_3& box)
   {
-    if(box.xmin() > box.xmax())
+    if(box == Bbox_3()) // empty
       return Normalization();
     const Vector3 lower(box.xmin(), box.ymin(), box.zmin());
     const Vector3 upper(box.xmax(), box.ymax(), box.zmax());
+    if(!(lower.array() <= upper.array()).all())
+      throw std::invalid_argument("the box of the points is no box: a least coordinate is greater "
+                                  "than the greatest, or no number");
     if(!lower.allFinite() || !upper.allFinite())
       throw std::invalid_argument("the box of the points is not finite");
     return Normalization(lower, upper);
@@ -129,6 +147,8 @@ private:
   Bbox_3 box_;
   Normalization normalization_;
   std::size_t number_of_points_ = 0;
+  bool leaves_out_far_ = false;
+  std::size_t number_of_far_ = 0; ///< Of the points.
   Point_set_skeletonization_3::internal::Moment_grid moments_{
     Point_set_skeletonization_3::internal::Grid_options().maximum_fine_cells()};
 };

@@ -86,7 +86,7 @@ public:
     : L1_medial_skeletonization_3(np, 0)
   {
     fit_ = [&points](Skeletonizer& skeletonizer, const Progress&) {
-      skeletonizer.fit_mixture(points.moments_, points.normalization_);
+      skeletonizer.fit_mixture(points.moments_, points.normalization_, points.number_of_far_);
     };
   }
 
@@ -149,8 +149,8 @@ public:
   /// Number of samples.
   std::size_t number_of_samples() const { return skeletonizer_.number_of_samples(); }
 
-  /// Number of input points that belong to no vertex: isolated points, the tail of the noise, and
-  /// clusters too small to be part of the shape.
+  /// Number of input points that belong to no vertex: points far from all others, isolated points,
+  /// the tail of the noise, and clusters too small to be part of the shape.
   std::size_t number_of_outliers() const { return skeletonizer_.number_of_outliers(); }
 
   /// Replaces `skeleton` by the result of step 3. O(n).
@@ -193,7 +193,8 @@ private:
     static_assert(
       Point_set_skeletonization_3::internal::Has_only_input_and<
         NamedParameters, internal_np::single_component_t>::value,
-      "unknown named parameter: known are point_map, geom_traits, callback, single_component");
+      "unknown named parameter: known are point_map, geom_traits, callback, "
+      "maximum_running_time, single_component");
   }
 
   /// Progress after step 2.

@@ -62,6 +62,7 @@ public:
     namespace internal = Point_set_skeletonization_3::internal;
     static_assert(internal::Has_only_published<NamedParameters>::value,
                   "unknown named parameter: known are point_map, geom_traits, callback, "
+                  "maximum_running_time, "
                   "number_of_iterations, random_seed, and those of parameters::published");
     static_assert(internal::Maps_to_points<PointRange, NamedParameters>::value,
                   "the elements of the range are not 3D points: pass point_map(MAP)");

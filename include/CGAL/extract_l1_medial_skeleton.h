@@ -36,6 +36,9 @@ namespace CGAL {
 ///     \cgalParamNBegin{callback} \cgalParamDescription{called with the progress in [0, 1],
 ///       from the calling thread; returning `false` cancels}
 ///       \cgalParamType{`std::function<bool(double)>`} \cgalParamDefault{none} \cgalParamNEnd
+///     \cgalParamNBegin{maximum_running_time} \cgalParamDescription{seconds after which it cancels
+///       itself, as if the callback had}
+///       \cgalParamDefault{no limit} \cgalParamNEnd
 ///     \cgalParamNBegin{single_component} \cgalParamDescription{whether to join all components by
 ///       the shortest bridges, not only across plausible gaps in the data: for a connected shape.
 ///       `single_component(true, rest)`, see `CGAL/Point_set_skeletonization_3/parameters.h`}

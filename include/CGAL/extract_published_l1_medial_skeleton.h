@@ -29,6 +29,9 @@ namespace CGAL {
 ///     \cgalParamNBegin{callback} \cgalParamDescription{called with the progress in [0, 1],
 ///       from the calling thread; returning `false` cancels}
 ///       \cgalParamType{`std::function<bool(double)>`} \cgalParamDefault{none} \cgalParamNEnd
+///     \cgalParamNBegin{maximum_running_time} \cgalParamDescription{seconds after which it cancels
+///       itself, as if the callback had}
+///       \cgalParamDefault{no limit} \cgalParamNEnd
 ///     \cgalParamNBegin{number_of_iterations} \cgalParamDescription{of the projection; the paper uses
 ///       20 to 30} \cgalParamType{`std::size_t`} \cgalParamDefault{30, tuned 60} \cgalParamNEnd
 ///     \cgalParamNBegin{random_seed} \cgalParamDescription{of the parents of the mixture and of the

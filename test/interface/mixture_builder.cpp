@@ -8,7 +8,9 @@
 #include "shapes.h"
 #include "skeleton_checks.h"
 
+#include <CGAL/Bulk_bbox_3.h>
 #include <CGAL/Gaussian_mixture_builder_3.h>
+#include <CGAL/L1_medial_skeletonization_3.h>
 #include <CGAL/extract_l1_medial_skeleton.h>
 #include <CGAL/fit_gaussian_mixture.h>
 
@@ -341,6 +343,39 @@ TEST_CASE("Bad points are named, the others stay")
   CHECK(total(CGAL::fit_gaussian_mixture(builder).levels.front()).weight == 4);
   CHECK_THROWS_AS(Builder(CGAL::Bbox_3(0, 0, 0, infinity, 1, 1)), std::invalid_argument);
   CHECK_THROWS_AS(Builder(CGAL::Bbox_3(0, nan, 0, 1, nan, 1)), std::invalid_argument);
+  CHECK_THROWS_AS(Builder(CGAL::Bbox_3(1, nan, 0, 0, nan, 1)), std::invalid_argument);
+  CHECK_THROWS_AS(Builder(CGAL::Bbox_3(1, 0, 0, 0, 1, 1)), std::invalid_argument);
+}
+
+TEST_CASE("Points far from the bulk are counted, and change nothing")
+{
+  const Points near = shapes::to_points<Kernel>(shapes::sample(shapes::y_junction(), 5000, 43));
+  Points all = near;
+  for(int i = 0; i < 5; ++i)
+    all.emplace_back(std::pow(1e60, i), -i, 3e7);
+  CGAL::Bulk_bbox_3<Kernel> bulk, other;
+  bool is_found = false;
+  while(!is_found) {
+    for(std::size_t i = 0; i < all.size(); ++i)
+      (i % 2 ? bulk : other).insert(all[i]);
+    bulk.merge(other);
+    is_found = bulk.end_pass();
+    other = bulk; // of the passes before, without points of this one
+  }
+  CHECK(bulk.bbox() == box_of(near));
+  CHECK(bulk.number_of_far_points() == 5);
+
+  Builder builder(bulk), expected(box_of(near));
+  builder.insert(all);
+  expected.insert(near);
+  CHECK(builder.number_of_points() == all.size());
+  CGAL::L1_medial_skeletonization_3<Kernel> steps(builder);
+  REQUIRE(steps.run());
+  Skeleton found, skeleton;
+  steps.extract_skeleton(found);
+  REQUIRE(CGAL::extract_l1_medial_skeleton(expected, skeleton));
+  CHECK(have_same_bits(found, skeleton));
+  CHECK(steps.number_of_outliers() >= 5);
 }
 
 TEST_CASE("No points, one, many equal ones")

@@ -55,6 +55,25 @@ public:
   /// Maps a point to the coordinates of the input.
   Vector3 from_unit(const Vector3& p) const { return p * diagonal_ + (lower_ + half_extent_); }
 
+  /// The same for a point of the shape: it is where the input is, so in its bounding box, whatever
+  /// was rounded, extrapolated or smoothed.
+  Vector3 from_unit_in_box(const Vector3& p) const
+  {
+    return from_unit(p).cwiseMax(lower_).cwiseMin(upper_);
+  }
+
+  /// Maps a length to the unit of the input; one that is no number there is the largest.
+  double length_from_unit(double length) const
+  {
+    return std::min(length * diagonal_, std::numeric_limits<double>::max());
+  }
+
+  /// Whether a point of the input is in the box.
+  bool contains(const Vector3& p) const
+  {
+    return (lower_.array() <= p.array()).all() && (p.array() <= upper_.array()).all();
+  }
+
   /// Maps a covariance to the unit of the input, and back. Two factors, as the square of the
   /// diagonal may overflow.
   Matrix3 covariance_from_unit(const Matrix3& c) const { return c * diagonal_ * diagonal_; }
@@ -86,14 +105,32 @@ public:
     upper_ = upper_.cwiseMax(other.upper_);
   }
 
-  /// The similarity that normalises the points.
+  /// Whether there is no point.
+  bool is_empty() const { return lower_.x() > upper_.x(); }
+
+  /// The corners of the box. \pre there is a point
+  const Vector3& lower() const { return lower_; }
+  const Vector3& upper() const { return upper_; }
+
+  bool contains(const Vector3& p) const
+  {
+    return (lower_.array() <= p.array()).all() && (p.array() <= upper_.array()).all();
+  }
+
   /// \throws std::invalid_argument that names the first point with a coordinate that is not finite
-  Normalization normalization() const
+  void check() const
   {
     if(not_finite_ != none)
       throw std::invalid_argument("point " + std::to_string(not_finite_) +
                                   " has a coordinate that is not finite; remove or repair it");
-    return lower_.x() > upper_.x() ? Normalization() : Normalization(lower_, upper_);
+  }
+
+  /// The similarity that normalises the points.
+  /// \throws std::invalid_argument that names the first point with a coordinate that is not finite
+  Normalization normalization() const
+  {
+    check();
+    return is_empty() ? Normalization() : Normalization(lower_, upper_);
   }
 
 private:

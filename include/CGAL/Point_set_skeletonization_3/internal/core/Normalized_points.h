@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_NORMALIZED_POINTS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_NORMALIZED_POINTS_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/core/Bulk.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Normalization.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Per_thread.h>
@@ -14,6 +15,7 @@
 #include <boost/container/static_vector.hpp>
 
 #include <cstddef>
+#include <utility>
 
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
@@ -46,16 +48,59 @@ inline Normalization normalization_of(const Point_source& points, Concurrency co
   return extent.normalization();
 }
 
+/// Returns the bulk of a cloud, which is read once, and again if there are points far away. O(n).
+/// \throws std::invalid_argument that names the first point with a coordinate that is not finite
+inline Bulk bulk_of(const Point_source& points, Concurrency concurrency,
+                    const Progress& progress = Progress())
+{
+  Bulk bulk;
+  for(double done = 0;;) {
+    // A pass more is rare: the progress of half of what is left will do.
+    const double next = (1 + done) / 2;
+    Bulk pass = parallel_sum(
+      concurrency, points.number_of_blocks(), bulk,
+      [&](std::size_t b, Bulk& part) {
+        std::size_t i = b * Point_source::block_size;
+        for(const Vector3& p : read_block(points, b))
+          part.add(i++, p);
+      },
+      progress.part(done, next));
+    const bool is_found = pass.end_pass();
+    bulk = std::move(pass);
+    if(is_found)
+      return bulk;
+    done = next;
+  }
+}
+
 /// The points of a cloud in normalised coordinates, block by block without a copy of all.
 struct Normalized_points
 {
   Point_source source;
   Normalization normalization;
+  std::size_t number_of_far = 0; ///< Points outside of the normalised box, see `Bulk`.
 
   std::size_t size() const { return source.size; }
   std::size_t number_of_blocks() const { return source.number_of_blocks(); }
 
-  /// The `b`-th block; may be called concurrently. \pre `b < number_of_blocks()`
+  /// Number of points in the normalised box.
+  std::size_t bulk_size() const { return source.size - number_of_far; }
+
+  /// Calls `visit(i, point)` for each point in the `b`-th block that is in the normalised box, the
+  /// `i`-th of the cloud. May be called concurrently. \pre `b < number_of_blocks()`
+  template <typename Visit>
+  void visit_block(std::size_t b, const Visit& visit) const
+  {
+    std::size_t i = b * Point_source::block_size;
+    for(const Vector3& p : read_block(source, b)) {
+      if(number_of_far == 0 || normalization.contains(p))
+        visit(i, normalization.to_unit(p));
+      ++i;
+    }
+  }
+
+  /// The `b`-th block, also what is not in the box. May be called concurrently.
+  /// \pre `b < number_of_blocks()`
   Point_block block(std::size_t b) const
   {
     Point_block result = read_block(source, b);
@@ -64,8 +109,8 @@ struct Normalized_points
     return result;
   }
 
-  /// Calls `visit(k, i, point)` for each point, the `i`-th of the cloud in the `k`-th of `parts`
-  /// parts. Parts are visited concurrently, the points of a part in order. O(n).
+  /// Calls `visit(k, i, point)` for each point in the normalised box, the `i`-th of the cloud in the
+  /// `k`-th of `parts` parts. Parts are visited concurrently, the points of a part in order. O(n).
   template <typename Visit>
   void visit_parts(std::size_t parts, const Visit& visit, Concurrency concurrency,
                    const Progress& progress) const
@@ -76,11 +121,8 @@ struct Normalized_points
       parallel_for(concurrency, parts, [&](std::size_t k) {
         const std::size_t part = k * slices + slice;
         const std::size_t end = (part + 1) * number_of_blocks() / (parts * slices);
-        for(std::size_t b = part * number_of_blocks() / (parts * slices); b < end; ++b) {
-          std::size_t i = b * Point_source::block_size;
-          for(const Vector3& point : block(b))
-            visit(k, i++, point);
-        }
+        for(std::size_t b = part * number_of_blocks() / (parts * slices); b < end; ++b)
+          visit_block(b, [&](std::size_t i, const Vector3& point) { visit(k, i, point); });
       });
       progress(static_cast<double>(slice + 1) / static_cast<double>(slices));
     }

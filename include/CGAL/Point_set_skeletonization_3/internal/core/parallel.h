@@ -4,12 +4,15 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_PARALLEL_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_PARALLEL_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
+
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #endif
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -23,19 +26,28 @@ namespace internal {
 enum class Concurrency { sequential, parallel };
 
 /// Calls `body(begin, end)` for disjoint ranges that cover [0, `size`), in any order, perhaps
-/// concurrently. Two calls must not write to the same memory.
+/// concurrently. Two calls must not write to the same memory. Every loop can be cancelled between
+/// the ranges, by `Progress::poll()`.
 inline void parallel_for_ranges(Concurrency concurrency, std::size_t size,
                                 const std::function<void(std::size_t, std::size_t)>& body)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if(concurrency == Concurrency::parallel) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size),
-                      [&](const auto& range) { body(range.begin(), range.end()); });
+                      [&](const auto& range) {
+                        Progress::poll();
+                        body(range.begin(), range.end());
+                      });
     return;
   }
 #endif
   static_cast<void>(concurrency);
-  body(0, size);
+  constexpr std::size_t ranges = 256, least = 64; // short enough, and hardly slower than one
+  const std::size_t step = std::max(least, size / ranges);
+  for(std::size_t begin = 0; begin < size; begin += step) {
+    Progress::poll();
+    body(begin, std::min(begin + step, size));
+  }
 }
 
 /// Calls `body(i)` for 0 <= i < `size`; otherwise as `parallel_for_ranges()`.

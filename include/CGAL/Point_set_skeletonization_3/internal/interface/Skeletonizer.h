@@ -37,13 +37,15 @@ public:
 
   // If the callback cancels, a stage throws `Cancelled` and has no result.
 
-  /// Stage 1. Reads the points three times: for their bounding box, which normalises them, for the
-  /// width of the cells, and for the moments. O(n).
+  /// Stage 1. Reads the points three times: for the bounding box of their bulk, which normalises
+  /// them, for the width of the cells, and for the moments. O(n).
   /// \throws std::invalid_argument that names the first point with a coordinate that is not finite
   void fit_mixture(const Point_source& points, const Progress& progress);
 
-  /// Stage 1 for the moments of a builder. O(cells) per step of the search for the width.
-  void fit_mixture(const Moment_grid& points, const Normalization& normalization);
+  /// Stage 1 for the moments of a builder, which left out some points far away. O(cells) per step of
+  /// the search for the width.
+  void fit_mixture(const Moment_grid& points, const Normalization& normalization,
+                   std::size_t number_of_far);
 
   /// Takes a mixture from elsewhere as the result of stage 1.
   /// \throws std::invalid_argument that names the first mean that is not finite

@@ -44,6 +44,7 @@ struct Skeletonizer::State
   Skeleton_graph graph;
   std::vector<std::size_t> vertex_of_sample, vertex_of_component; ///< `none` for outliers.
   std::size_t number_of_outliers = 0;
+  std::size_t number_of_far = 0; ///< Points that are in no component, outliers as well.
 
   void set_mixture(Grid_mixture grid)
   {
@@ -59,6 +60,7 @@ struct Skeletonizer::State
     forget_samples();
     mixture.clear();
     cell_of_point = Cells_of_points();
+    number_of_far = 0;
     cell_size = 0;
   }
 
@@ -102,14 +104,15 @@ struct Skeletonizer::State
   void assign_components()
   {
     double outlier_weight = 0;
-    vertex_of_component.resize(mixture.front().size());
-    for(std::size_t i = 0; i < vertex_of_component.size(); ++i) {
+    vertex_of_component.assign(mixture.front().size() + 1, none); // the last: of points far away
+    for(std::size_t i = 0; i < mixture.front().size(); ++i) {
       const std::size_t patch = patch_of_component(i);
       vertex_of_component[i] = patch == none ? none : vertex_of_sample[patch];
       if(vertex_of_component[i] == none)
         outlier_weight += mixture.front()[i].weight;
     }
-    number_of_outliers = static_cast<std::size_t>(outlier_weight); // a sum of integers
+    number_of_outliers =
+      number_of_far + static_cast<std::size_t>(outlier_weight); // a sum of integers
   }
 
   template <typename Forget>
@@ -151,16 +154,20 @@ void Skeletonizer::fit_mixture(const Point_source& points, const Progress& progr
 {
   State& state = *state_;
   state.forget_mixture();
-  state.normalization = normalization_of(points, state.concurrency, progress.part(0, 0.2));
-  state.set_mixture(grid_mixture({points, state.normalization}, state.options.mixture,
-                                 State::number_of_levels, state.concurrency,
-                                 progress.part(0.2, 1)));
+  const Bulk bulk = bulk_of(points, state.concurrency, progress.part(0, 0.2));
+  state.normalization = bulk.box().normalization();
+  state.number_of_far = bulk.number_of_far();
+  state.set_mixture(grid_mixture({points, state.normalization, state.number_of_far},
+                                 state.options.mixture, State::number_of_levels,
+                                 state.concurrency, progress.part(0.2, 1)));
 }
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
-void Skeletonizer::fit_mixture(const Moment_grid& points, const Normalization& normalization)
+void Skeletonizer::fit_mixture(const Moment_grid& points, const Normalization& normalization,
+                               std::size_t number_of_far)
 {
   state_->forget_mixture();
+  state_->number_of_far = number_of_far;
   state_->normalization = normalization;
   state_->set_mixture(grid_mixture(points, state_->options.mixture, State::number_of_levels));
 }

@@ -27,6 +27,7 @@ public:
   bool run(int number, double begin, double end, const Step& step)
   {
     done_ = number - 1;
+    const Progress::Polled polled(progress_);
     try {
       step(progress_.part(begin, end));
     } catch(const Cancelled&) {

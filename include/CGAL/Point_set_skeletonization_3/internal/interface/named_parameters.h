@@ -17,6 +17,7 @@
 
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -43,7 +44,7 @@ struct Has_only<Named_function_parameters<T, Tag, Base>, Tags...>
 template <typename NamedParameters, typename... Tags>
 using Has_only_input_and =
   Has_only<NamedParameters, internal_np::point_t, internal_np::normal_t, internal_np::geom_traits_t,
-           internal_np::callback_t, Tags...>;
+           internal_np::callback_t, internal_np::maximum_running_time_t, Tags...>;
 
 /// Whether a type is a 3D point.
 template <typename T, typename = void>
@@ -98,8 +99,11 @@ constexpr Concurrency concurrency_of()
 template <typename NamedParameters>
 Progress progress_of(const NamedParameters& np)
 {
-  return Progress(parameters::choose_parameter(
-    parameters::get_parameter(np, internal_np::callback), std::function<bool(double)>()));
+  return Progress(
+    parameters::choose_parameter(parameters::get_parameter(np, internal_np::callback),
+                                 std::function<bool(double)>()),
+    parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_running_time),
+                                 std::numeric_limits<double>::infinity()));
 }
 
 /// The named parameter `single_component`.

@@ -81,9 +81,11 @@ inline Plain_mixture to_plain(const std::vector<Gaussians>& levels, double cell_
 inline Plain_skeleton to_plain(const Skeleton_graph& graph, const Normalization& normalization)
 {
   Plain_skeleton result;
-  for(const Skeleton_graph::Vertex& vertex : graph.vertices)
-    result.vertices.push_back({to_plain(vertex.position, normalization),
-                               vertex.radius * normalization.diagonal()});
+  for(const Skeleton_graph::Vertex& vertex : graph.vertices) {
+    const Vector3 p = normalization.from_unit_in_box(vertex.position);
+    result.vertices.push_back(
+      {{{p.x(), p.y(), p.z()}}, normalization.length_from_unit(vertex.radius)});
+  }
   result.edges = graph.edges;
   return result;
 }

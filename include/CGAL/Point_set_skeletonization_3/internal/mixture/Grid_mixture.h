@@ -175,15 +175,19 @@ private:
   std::vector<boost::interprocess::mapped_region> chunks_;
 };
 
-/// Adds the points to the cells of `level`, and returns the cell of each point. O(points).
+/// Adds the points to the cells of `level`, and returns the cell of each point; for one far away the
+/// number of cells. O(points).
 inline Cells_of_points add_points(const Normalized_points& points, Grid_level& level,
                                   Concurrency concurrency, const Progress& progress)
 {
   // The moments of parts are added in order: the result does not depend on the number of threads.
   constexpr std::size_t worth_a_part = 16; // points of a cell: so parts need less memory than points
   std::vector<std::vector<Moments>> parts(
-    std::min(cloud_parts, 1 + points.size() / (worth_a_part * level.cells.size())));
+    std::min(cloud_parts, 1 + points.bulk_size() / (worth_a_part * level.cells.size())));
   Cells_of_points cell_of_point(points.size());
+  if(points.number_of_far > 0)
+    for(std::size_t i = 0; i < points.size(); ++i)
+      cell_of_point[i] = static_cast<std::uint32_t>(level.cells.size());
   const Cell_of_point cell_of(level.grid);
   for(std::vector<Moments>& part : parts)
     part.resize(level.cells.size());
@@ -209,7 +213,8 @@ struct Grid_mixture
   /// has cells of twice the width. Empty without points.
   std::vector<Grid_level> levels;
 
-  /// The cell of each point in the first level; empty for points from a builder.
+  /// The cell of each point in the first level, or their number for one far away; empty for points
+  /// from a builder.
   Cells_of_points cell_of_point;
 
   /// \pre there is a level
@@ -230,12 +235,12 @@ inline Grid_mixture grid_mixture(const Normalized_points& points, const Grid_opt
 {
   options.check();
   Grid_mixture result;
-  if(points.size() == 0)
+  if(points.bulk_size() == 0)
     return result;
   const Fine_cells fine =
       fine_cells(points, options.maximum_fine_cells(), concurrency, progress.part(0, 0.5));
   result.levels.push_back(
-    patch_level(fine.cells, fine.grid, options.cells(points.size()), concurrency));
+    patch_level(fine.cells, fine.grid, options.cells(points.bulk_size()), concurrency));
   result.cell_of_point =
       add_points(points, result.levels.front(), concurrency, progress.part(0.5, 1));
   result.add_coarser_levels(number_of_levels);

@@ -83,10 +83,10 @@ inline int probable_level(const Normalized_points& points, std::size_t maximum_c
   const std::size_t step = 1 + points.number_of_blocks() / blocks;
   std::size_t size = 0;
   for(std::size_t b = 0; b < points.number_of_blocks(); b += step)
-    for(const Vector3& p : points.block(b)) {
+    points.visit_block(b, [&](std::size_t, const Vector3& p) {
       some.add(p);
       ++size;
-    }
+    });
   while(points_of_cell * some.cells().size() > size)
     some.coarsen();
   int level = some.grid().level;
@@ -105,8 +105,7 @@ inline Occupied_cells occupied_cells(const Normalized_points& points, int level,
   Occupied_cells result = parallel_sum(
     concurrency, points.number_of_blocks(), Occupied_cells(level, maximum_cells),
     [&](std::size_t b, Occupied_cells& cells) {
-      for(const Vector3& p : points.block(b))
-        cells.add(p);
+      points.visit_block(b, [&](std::size_t, const Vector3& p) { cells.add(p); });
     },
     progress);
   while(result.cells().size() > maximum_cells)
@@ -120,7 +119,7 @@ inline Occupied_cells occupied_cells(const Normalized_points& points, std::size_
                                      Concurrency concurrency, const Progress& progress)
 {
   int level = finest_level;
-  if(points.size() > maximum_cells)
+  if(points.bulk_size() > maximum_cells)
     level = std::min(level, probable_level(points, maximum_cells) + 1);
   for(;; ++level) {
     Occupied_cells result = occupied_cells(points, level, maximum_cells, concurrency, progress);
@@ -141,18 +140,20 @@ struct Fine_cells
 inline Fine_cells fine_cells(const Normalized_points& points, std::size_t maximum_cells,
                              Concurrency concurrency, const Progress& progress)
 {
-  if(points.size() > maximum_cells) {
+  if(points.bulk_size() > maximum_cells) {
     const Occupied_cells occupied = occupied_cells(points, maximum_cells, concurrency, progress);
     return {occupied.grid(), occupied.cells().cells()};
   }
   Fine_cells result; // one per point, with duplicates
-  result.cells.resize(points.size());
+  constexpr std::uint64_t no_cell = ~std::uint64_t(0); // of a point far away
+  result.cells.resize(points.size(), no_cell);
   const Cell_of_point cell_of(result.grid);
   parallel_for(concurrency, points.number_of_blocks(), [&](std::size_t b) {
-    std::size_t i = b * Point_source::block_size;
-    for(const Vector3& p : points.block(b))
-      result.cells[i++] = packed(cell_of(p));
+    points.visit_block(
+      b, [&](std::size_t i, const Vector3& p) { result.cells[i] = packed(cell_of(p)); });
   });
+  result.cells.erase(std::remove(result.cells.begin(), result.cells.end(), no_cell),
+                     result.cells.end());
   return result;
 }
 

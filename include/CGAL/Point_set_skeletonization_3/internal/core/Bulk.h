@@ -1,0 +1,361 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_BULK_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_BULK_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Normalization.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// Points in the finest cubic grid of which they occupy at most 4096 cells: with the number and the
+/// bounding box of the points of each cell. The widths of cells are powers of two in the coordinates
+/// of the input, from the least to the greatest number, so that neither the box of the points nor
+/// their order matters: cells are as fine as the bulk of the points allows, however far away others
+/// are.
+class Bulk_cells
+{
+public:
+  struct Cell
+  {
+    std::size_t size = 0;
+    Extent box;
+  };
+
+  /// The lower corner of a cell.
+  using Corner = std::array<double, 3>;
+
+  /// Adds a point. \pre it is finite
+  void add(const Vector3& p)
+  {
+    const Corner corner = corner_of(p);
+    if(cells_.empty() || corner != corners_[last_]) // often the cell of the point before
+      last_ = number_of(corner);
+    ++cells_[last_].size;
+    cells_[last_].box.add(0, p);
+    limit();
+  }
+
+  /// Adds the points of others.
+  void add(const Bulk_cells& others)
+  {
+    coarsen_to(std::max(level_, others.level_));
+    for(std::size_t i = 0; i < others.cells_.size(); ++i)
+      add(others.cells_[i], grid_.corner_of(others.corners_[i]));
+    limit();
+  }
+
+  const std::vector<Cell>& cells() const { return cells_; }
+
+  /// Makes the cells as wide as 2^`level`, if they are not.
+  void coarsen_to(int level)
+  {
+    if(level <= level_)
+      return;
+    level_ = std::min(level, coarsest_level);
+    grid_ = Grid(level_);
+    last_ = 0;
+    number_of_.clear();
+    const std::vector<Corner> corners = std::exchange(corners_, {});
+    const std::vector<Cell> cells = std::exchange(cells_, {});
+    for(std::size_t i = 0; i < cells.size(); ++i)
+      add(cells[i], grid_.corner_of(corners[i]));
+  }
+
+  /// Calls `visit(j)` for each cell that touches the `i`-th one, and for itself.
+  template <typename Visit>
+  void visit_neighbors(std::size_t i, const Visit& visit) const
+  {
+    for(int x = -1; x <= 1; ++x)
+      for(int y = -1; y <= 1; ++y)
+        for(int z = -1; z <= 1; ++z) {
+          const Corner& corner = corners_[i];
+          const auto found = number_of_.find({{corner[0] + x * grid_.width,
+                                               corner[1] + y * grid_.width,
+                                               corner[2] + z * grid_.width}});
+          if(found != number_of_.end())
+            visit(found->second);
+        }
+  }
+
+private:
+  static constexpr std::size_t most_cells = 1 << 12;
+  static constexpr int finest_level = -1022, coarsest_level = 1023; ///< Logarithms of widths.
+
+  struct Hash
+  {
+    std::size_t operator()(const Corner& corner) const
+    {
+      std::uint64_t hash = 0;
+      for(double x : corner) {
+        x += 0.0; // -0 is 0
+        std::uint64_t bits;
+        std::memcpy(&bits, &x, sizeof(bits));
+        hash = (hash ^ bits) * 0x9E3779B97F4A7C15u; // Fibonacci hashing
+        hash ^= hash >> 32;
+      }
+      return static_cast<std::size_t>(hash);
+    }
+  };
+
+  /// Maps coordinates to the grid of a level.
+  struct Grid
+  {
+    explicit Grid(int level)
+      : width(std::ldexp(1, level)), inverse(std::ldexp(1, -level)),
+        multiples(std::ldexp(1, std::min(level + 53, 1023)))
+    {}
+
+    double corner_of(double x) const
+    {
+      return std::abs(x) < multiples ? std::floor(x * inverse) * width : x;
+    }
+
+    Corner corner_of(const Corner& p) const
+    {
+      return {{corner_of(p[0]), corner_of(p[1]), corner_of(p[2])}};
+    }
+
+    double width, inverse;
+    double multiples; ///< All greater numbers are multiples of the width.
+  };
+
+  Corner corner_of(const Vector3& p) const { return grid_.corner_of(Corner{{p[0], p[1], p[2]}}); }
+
+  /// The cell with this corner, which is added if it is new.
+  std::size_t number_of(const Corner& corner)
+  {
+    const auto [found, is_new] =
+        number_of_.emplace(corner, static_cast<std::uint32_t>(cells_.size()));
+    if(is_new) {
+      cells_.emplace_back();
+      corners_.push_back(corner);
+    }
+    return found->second;
+  }
+
+  void add(const Cell& cell, const Corner& corner)
+  {
+    Cell& sum = cells_[number_of(corner)];
+    sum.size += cell.size;
+    sum.box.add(cell.box);
+  }
+
+  bool are_few_at(int level) const
+  {
+    const Grid grid(level);
+    std::unordered_set<Corner, Hash> corners;
+    for(const Corner& corner : corners_)
+      if(corners.insert(grid.corner_of(corner)).second && corners.size() > most_cells)
+        return false;
+    return true;
+  }
+
+  /// Coarsens until there are few enough: grids of powers of two are nested, so by a galloping
+  /// search.
+  void limit()
+  {
+    if(cells_.size() <= most_cells)
+      return;
+    int many = level_, step = 1;
+    while(many + step < coarsest_level && !are_few_at(many + step)) {
+      many += step;
+      step *= 2;
+    }
+    int few = std::min(many + step, coarsest_level);
+    while(few - many > 1) {
+      const int middle = many + (few - many) / 2;
+      (are_few_at(middle) ? few : many) = middle;
+    }
+    coarsen_to(few);
+  }
+
+  int level_ = finest_level;
+  Grid grid_{finest_level};
+  std::unordered_map<Corner, std::uint32_t, Hash> number_of_;
+  std::vector<Corner> corners_;
+  std::vector<Cell> cells_;
+  std::size_t last_ = 0; ///< The cell that a point was added to.
+};
+
+/// Finds the bulk of a cloud: all points but at most a thousandth of them that are farther away from
+/// the rest than the rest is large. Those are no part of the shape, as the gap is as wide as it, and
+/// too few to be another one; but in its bounding box the shape would be small.
+///
+/// Points are added in passes over the cloud, nearly always one.
+class Bulk
+{
+public:
+  /// Adds the `i`-th point.
+  void add(std::size_t i, const Vector3& p)
+  {
+    extent_.add(i, p);
+    if(p.allFinite() && contains(p))
+      cells_.add(p);
+  }
+
+  /// Adds the points of another part of the same pass.
+  void add(const Bulk& other)
+  {
+    extent_.add(other.extent_);
+    cells_.add(other.cells_);
+  }
+
+  /// Ends a pass.
+  /// \returns whether the bulk is found; if not, all points are to be added once more: some of them
+  ///          are far, and the cells were made for all
+  /// \throws std::invalid_argument that names the first point with a coordinate that is not finite
+  bool end_pass()
+  {
+    extent_.check();
+    std::size_t size = 0;
+    for(const Bulk_cells::Cell& cell : cells_.cells())
+      size += cell.size;
+    size_ = std::max(size_, size);
+    number_of_far_ = size_ - size;
+    const auto [bulk, is_all] = bulk_of(cells_, size_ / 1000 - number_of_far_);
+    box_ = bulk;
+    extent_ = Extent();
+    cells_ = Bulk_cells();
+    return is_all;
+  }
+
+  /// The bounding box of the bulk. \pre the last pass has ended
+  const Extent& box() const { return box_; }
+
+  /// Number of points outside of it. \pre the last pass has ended
+  std::size_t number_of_far() const { return number_of_far_; }
+
+private:
+  /// A box, and whether it contains all cells.
+  struct Bulk_box
+  {
+    Extent box;
+    bool is_all;
+  };
+
+  bool contains(const Vector3& p) const { return size_ == 0 || box_.contains(p); }
+
+  /// Distances are halved, as those between the least and the greatest number are no numbers.
+  static double half_distance(const Vector3& p, const Vector3& q)
+  {
+    return (p / 2 - q / 2).cwiseAbs().maxCoeff();
+  }
+
+  static double farthest(const Extent& box, const Vector3& p)
+  {
+    return std::max(half_distance(box.lower(), p), half_distance(box.upper(), p));
+  }
+
+  static double nearest(const Extent& box, const Vector3& p)
+  {
+    return half_distance(p.cwiseMax(box.lower()).cwiseMin(box.upper()), p);
+  }
+
+  /// The median of the points along each axis, as far as cells tell.
+  static Vector3 median(const std::vector<Bulk_cells::Cell>& cells)
+  {
+    Vector3 result = Vector3::Zero();
+    std::vector<std::pair<double, std::size_t>> places;
+    for(int axis = 0; axis < 3; ++axis) {
+      places.clear();
+      std::size_t size = 0;
+      for(const Bulk_cells::Cell& cell : cells) {
+        places.emplace_back(cell.box.lower()[axis] / 2 + cell.box.upper()[axis] / 2, cell.size);
+        size += cell.size;
+      }
+      std::sort(places.begin(), places.end());
+      std::size_t below = 0;
+      for(const auto& [place, count] : places) {
+        result[axis] = place;
+        below += count;
+        if(2 * below >= size)
+          break;
+      }
+    }
+    return result;
+  }
+
+  /// The distance from `centre` within which all points are but `most` of them.
+  static double radius(const std::vector<Bulk_cells::Cell>& cells, const Vector3& centre,
+                       std::size_t most)
+  {
+    std::vector<std::pair<double, std::size_t>> distances;
+    for(const Bulk_cells::Cell& cell : cells)
+      distances.emplace_back(farthest(cell.box, centre), cell.size);
+    std::sort(distances.rbegin(), distances.rend());
+    std::size_t beyond = 0;
+    for(const auto& [distance, count] : distances)
+      if((beyond += count) > most)
+        return distance;
+    return 0;
+  }
+
+  /// All but at most `most` points that are farther from the centre than twice the shape.
+  static Bulk_box bulk_of(const Bulk_cells& cells, std::size_t most)
+  {
+    Extent all;
+    for(const Bulk_cells::Cell& cell : cells.cells())
+      all.add(cell.box);
+    if(cells.cells().empty() || most == 0)
+      return {all, true};
+    const Vector3 centre = median(cells.cells());
+    const double bulk = radius(cells.cells(), centre, most);
+    if(farthest(all, centre) <= 2 * bulk)
+      return {all, true};
+
+    // A mast may have few points, and is longer than all the rest: the shape goes on as long as
+    // occupied cells touch whose width is an eighth of the radius, at most.
+    Bulk_cells wide = cells;
+    if(bulk > 0)
+      wide.coarsen_to(std::ilogb(bulk) - 2);
+    std::vector<std::size_t> reached;
+    std::vector<char> is_reached(wide.cells().size(), 0);
+    const auto reach = [&](std::size_t i) {
+      if(!std::exchange(is_reached[i], char(1)))
+        reached.push_back(i);
+    };
+    for(std::size_t i = 0; i < wide.cells().size(); ++i)
+      if(nearest(wide.cells()[i].box, centre) <= bulk)
+        reach(i);
+    double shape = 0;
+    for(std::size_t k = 0; k < reached.size(); ++k) {
+      shape = std::max(shape, farthest(wide.cells()[reached[k]].box, centre));
+      wide.visit_neighbors(reached[k], reach);
+    }
+
+    Bulk_box result{Extent(), true};
+    for(const Bulk_cells::Cell& cell : wide.cells())
+      if(nearest(cell.box, centre) <= 2 * shape)
+        result.box.add(cell.box);
+      else
+        result.is_all = false;
+    return result;
+  }
+
+  Extent extent_;     ///< Of the points of the pass.
+  Bulk_cells cells_;  ///< Of those in the box.
+  Extent box_;        ///< As known from the passes before.
+  std::size_t size_ = 0; ///< Number of points of the cloud; 0 in the first pass.
+  std::size_t number_of_far_ = 0;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_BULK_H
