@@ -38,7 +38,10 @@ endif()
 if(TARGET python_module)
   add_test(NAME python COMMAND "${Python_EXECUTABLE}"
                                "${CMAKE_CURRENT_SOURCE_DIR}/python/check_module.py")
-  set_tests_properties(python PROPERTIES ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/python")
+  add_test(NAME python_example COMMAND "${Python_EXECUTABLE}" 
+           "${PROJECT_SOURCE_DIR}/examples/python_example.py")
+  set_tests_properties(python python_example
+                       PROPERTIES ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/python;MPLBACKEND=Agg")
 endif()
 
 if(TARGET html_report)
