@@ -38,7 +38,7 @@ axes = plt.figure(figsize=(7, 7)).add_subplot(projection="3d")
 axes.scatter(*points[::4].T, s=1, color="#b9c0c9")
 for branch in skeleton.branches:
     axes.plot(*skeleton.vertices[branch.vertices].T, linewidth=3, color="#9a179b")
-axes.set_box_aspect(np.ptp(points, axis=0))
+axes.set_box_aspect(np.ptp(points, axis=0), zoom=1.6)
 axes.view_init(60, -60)
 axes.set_axis_off()
 plt.savefig("knot.png")

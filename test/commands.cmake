@@ -38,7 +38,7 @@ endif()
 if(TARGET python_module)
   add_test(NAME python COMMAND "${Python_EXECUTABLE}"
                                "${CMAKE_CURRENT_SOURCE_DIR}/python/check_module.py")
-  add_test(NAME python_example COMMAND "${Python_EXECUTABLE}" 
+  add_test(NAME python_example COMMAND "${Python_EXECUTABLE}"
            "${PROJECT_SOURCE_DIR}/examples/python_example.py")
   set_tests_properties(python python_example
                        PROPERTIES ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/python;MPLBACKEND=Agg")
