@@ -9,7 +9,7 @@
 #include "write_page.h"
 
 #include <CGAL/Point_set_skeletonization_3/internal/io/Output_file.h>
-#include <CGAL/Point_set_skeletonization_3/internal/io/skeleton_formats.h>
+#include <CGAL/Point_set_skeletonization_3/internal/io/skeleton_file.h>
 
 #include <ostream>
 #include <stdexcept>
@@ -61,7 +61,8 @@ inline void check_output_format(const std::string& filename)
   if(view != nullptr && view->write == nullptr)
     throw std::runtime_error("cannot write '" + filename + "': this program was built without " +
                              view->needs);
-  if(view == nullptr && CGAL::Point_set_skeletonization_3::internal::format_of(filename) == nullptr)
+  if(view == nullptr &&
+     !CGAL::Point_set_skeletonization_3::internal::is_skeleton_filename(filename))
     throw std::runtime_error("cannot write '" + filename + "': name it " + output_endings());
 }
 
@@ -81,7 +82,7 @@ inline void write_output(const std::string& filename, const Skeletonized_cloud& 
     if(const View_format* view = view_format_of(filename))
       view->write(os, cloud);
     else
-      CGAL::Point_set_skeletonization_3::internal::format_of(filename)->write(os, cloud.skeleton);
+      CGAL::Point_set_skeletonization_3::internal::write_skeleton(os, filename, cloud.skeleton);
   });
 }
 

@@ -42,6 +42,8 @@ using Skeleton_branch_of =
 /// \param roots vertices from which orders are counted, for example the foot of a tree. A component
 ///   without any gets its lowest tip or junction, see `lowest_vertices()`.
 ///
+/// \throws std::out_of_range if a root is no vertex of the skeleton
+///
 /// O(n log n) for n vertices and edges. The same skeleton gives the same branches in the same
 /// order.
 template <typename Skeleton>

@@ -5,14 +5,10 @@
 #define CGAL_IO_CURVE_SKELETON_3_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/branches/Numbered_skeleton.h>
-#include <CGAL/Point_set_skeletonization_3/internal/branches/ordered_branches.h>
-#include <CGAL/Point_set_skeletonization_3/internal/io/Output_file.h>
-#include <CGAL/Point_set_skeletonization_3/internal/io/Written_skeleton.h>
-#include <CGAL/Point_set_skeletonization_3/internal/io/skeleton_formats.h>
+#include <CGAL/Point_set_skeletonization_3/internal/io/skeleton_file.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -24,7 +20,7 @@ namespace IO {
 /// whether `filename` ends like a file that `write_curve_skeleton()` can write.
 inline bool is_curve_skeleton_filename(const std::string& filename)
 {
-  return Point_set_skeletonization_3::internal::format_of(filename) != nullptr;
+  return Point_set_skeletonization_3::internal::is_skeleton_filename(filename);
 }
 
 /*!
@@ -59,6 +55,7 @@ inline bool is_curve_skeleton_filename(const std::string& filename)
  *
  * \throw std::runtime_error with a message of one line if the ending is another one, or if the file
  *   cannot be written; then the folder is left as it was.
+ * \throw std::out_of_range if a root is no vertex of the skeleton
  */
 template <typename Skeleton>
 void write_curve_skeleton(
@@ -66,13 +63,8 @@ void write_curve_skeleton(
     const std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor>& roots = {})
 {
   namespace internal = Point_set_skeletonization_3::internal;
-  const internal::Skeleton_format* format = internal::format_of(filename);
-  if(format == nullptr)
-    throw std::runtime_error("cannot write '" + filename + "': name it " +
-                             internal::skeleton_endings());
-  internal::Output_file file(filename);
-  format->write(file.stream(), internal::written_skeleton(skeleton, roots));
-  file.commit();
+  const internal::Numbered_skeleton<Skeleton> numbered(skeleton);
+  internal::write_skeleton_file(filename, numbered.plain, numbered.numbers_of(roots));
 }
 
 } // namespace IO

@@ -1,9 +1,13 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_IO_SKELETON_FORMATS_H
-#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_IO_SKELETON_FORMATS_H
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_IO_SKELETON_FILE_IMPL_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_IO_SKELETON_FILE_IMPL_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/branches/ordered_branches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/linkage.h>
+#include <CGAL/Point_set_skeletonization_3/internal/io/Output_file.h>
+#include <CGAL/Point_set_skeletonization_3/internal/io/skeleton_file.h>
 #include <CGAL/Point_set_skeletonization_3/internal/io/Written_skeleton.h>
 #include <CGAL/Point_set_skeletonization_3/internal/io/write_cylinders.h>
 #include <CGAL/Point_set_skeletonization_3/internal/io/write_dxf.h>
@@ -17,9 +21,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstddef>
 #include <iterator>
 #include <ostream>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
@@ -44,8 +51,8 @@ inline constexpr Skeleton_format skeleton_formats[] = {
     {".off", write_tubes},
 };
 
-/// Whether `text` ends with `ending`, given in small letters, in small or capital letters.
-inline bool ends_with(const std::string& text, const std::string& ending)
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+bool ends_with(const std::string& text, const std::string& ending)
 {
   return text.size() >= ending.size() &&
          std::equal(ending.rbegin(), ending.rend(), text.rbegin(), [](char small, char any) {
@@ -62,8 +69,14 @@ inline const Skeleton_format* format_of(const std::string& filename)
   return nullptr;
 }
 
-/// Returns all endings as a list in a sentence.
-inline std::string skeleton_endings()
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+bool is_skeleton_filename(const std::string& filename)
+{
+  return format_of(filename) != nullptr;
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+std::string skeleton_endings()
 {
   std::string result;
   for(const Skeleton_format& format : skeleton_formats) {
@@ -73,8 +86,25 @@ inline std::string skeleton_endings()
   return result;
 }
 
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+void write_skeleton(std::ostream& os, const std::string& filename, const Written_skeleton& skeleton)
+{
+  format_of(filename)->write(os, skeleton);
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+void write_skeleton_file(const std::string& filename, const Plain_skeleton& skeleton,
+                         const std::vector<std::size_t>& roots)
+{
+  if(!is_skeleton_filename(filename))
+    throw std::runtime_error("cannot write '" + filename + "': name it " + skeleton_endings());
+  Output_file file(filename);
+  write_skeleton(file.stream(), filename, {skeleton, ordered_branches(skeleton, roots)});
+  file.commit();
+}
+
 } // namespace internal
 } // namespace Point_set_skeletonization_3
 } // namespace CGAL
 
-#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_IO_SKELETON_FORMATS_H
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_IO_SKELETON_FILE_IMPL_H
