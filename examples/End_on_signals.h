@@ -13,10 +13,10 @@
 #include <pthread.h>
 #endif
 
-/// Ends the program at Ctrl-C (SIGINT) and SIGTERM, and when its terminal is closed (SIGHUP), at once
-/// and whatever it is doing: a thread of its own waits for them, calls `clean_up()` and lets the
-/// signal have its usual effect. To be called first in `main()`, since threads inherit what they are
-/// not to be interrupted by.
+/// Ends the program at Ctrl-C (SIGINT) and SIGTERM, and when its terminal is closed (SIGHUP), at
+/// once and whatever it is doing: a thread of its own waits for them, calls `clean_up()` and lets
+/// the signal have its usual effect. To be called first in `main()`, since threads inherit what
+/// they are not to be interrupted by.
 ///
 /// A closed pipe or a file that may not grow are errors of the writing, not the end.
 template <typename Clean_up>

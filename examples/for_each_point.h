@@ -21,9 +21,8 @@
 /// \throw std::runtime_error with a message of one line that names the file and, where there is
 ///   one, the line or the point.
 template <typename Point, typename Use>
-std::size_t
-for_each_point(const std::string& filename, const Use& use,
-               point_files::Reading_options options = point_files::Reading_options())
+std::size_t for_each_point(const std::string& filename, const Use& use,
+                           point_files::Reading_options options = point_files::Reading_options())
 {
   options.in_bounded_memory = true;
   point_files::Rows rows([&use](double x, double y, double z) { use(Point(x, y, z)); },

@@ -54,8 +54,8 @@ template <typename Point>
 std::vector<Point> sample_surface(const Points_and_faces<Point>& mesh, std::size_t size,
                                   unsigned int seed)
 {
-  // Areas of coordinates of any size fit into a number if they are measured in this unit; by a power
-  // of two nothing is rounded.
+  // Areas of coordinates of any size fit into a number if they are measured in this unit; by a
+  // power of two nothing is rounded.
   const double unit = magnitude_of(mesh.points);
   const auto triangles = triangles_of(mesh, unit);
   std::vector<Point> points;

@@ -62,6 +62,7 @@ struct Result
   std::size_t mixture = 0;
   std::size_t samples = 0;
   std::optional<std::size_t> iterations; // of the published method
+  std::size_t outliers = 0;              // points that are in no vertex
   double mixture_seconds = 0;
   double projection_seconds = 0;
   double linking_seconds = 0;
@@ -85,6 +86,20 @@ auto callback_of(Progress_bar& bar)
   });
 }
 
+template <typename ConcurrencyTag>
+std::size_t
+outliers_of(const CGAL::L1_medial_skeletonization_3<Kernel, ConcurrencyTag>& steps)
+{
+  return steps.number_of_outliers();
+}
+
+// The published method drops no point.
+template <typename ConcurrencyTag>
+std::size_t outliers_of(const CGAL::Published_l1_medial_skeletonization_3<Kernel, ConcurrencyTag>&)
+{
+  return 0;
+}
+
 // Runs the steps of either method.
 template <typename Skeletonization>
 Result run_steps(Skeletonization& steps)
@@ -95,6 +110,7 @@ Result run_steps(Skeletonization& steps)
   result.linking_seconds = seconds_of([&] { return steps.link(); });
   result.mixture = steps.number_of_components();
   result.samples = steps.number_of_samples();
+  result.outliers = outliers_of(steps);
   std::move(steps).extract_skeleton(result.skeleton);
   return result;
 }
@@ -265,18 +281,22 @@ void print_stats(const Reading& reading, const Result& result, const Graph_count
   stats["ends"] = counts.ends;
   stats["junctions"] = counts.junctions;
   stats["length"] = counts.length;
+  stats["outliers"] = result.outliers;
   stats["seconds"] = seconds;
   const bool ascii = true; // a file's name may be in any encoding
   std::cout << stats.dump(-1, ' ', ascii, nlohmann::json::error_handler_t::replace) << std::endl;
 }
 
-void print_summary(const Reading& reading, const Graph_counts& counts, const Options& options)
+void print_summary(const Reading& reading, const Result& result, const Graph_counts& counts,
+                   const Options& options)
 {
   if(options.is_one_of_many)
     std::cout << options.input << ": ";
   std::cout << "points " << reading.points;
   if(reading.skipped)
     std::cout << ", skipped " << *reading.skipped;
+  if(result.outliers > 0)
+    std::cout << ", outliers " << result.outliers;
   std::cout << ", components " << counts.components << ", cycles " << counts.cycles << ", ends "
             << counts.ends << ", junctions " << counts.junctions << ", length " << counts.length;
   if(options.outputs.empty() && options.branches.empty() && options.segment.empty())
@@ -322,7 +342,7 @@ void run(const Options& options)
   if(options.stats)
     print_stats(reading, result, counts, options);
   else if(!options.quiet)
-    print_summary(reading, counts, options);
+    print_summary(reading, result, counts, options);
   if(!std::cout)
     throw std::runtime_error("cannot write to standard output");
 }

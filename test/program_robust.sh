@@ -130,6 +130,25 @@ check "a face without a corner is left out" one_line out "points 50, skipped 1,"
 printf 'nan nan nan\n' > nothing.xyz
 refuses "there are no points in it; 1 rows are invalid" nothing.xyz --skip-invalid
 
+# Points far away are outliers, and change nothing else.
+awk 'BEGIN { for(i = 0; i < 3000; ++i) printf "%.9g %.9g %.9g\n", cos(i * 2.4), sin(i * 2.4), i / 300 }' \
+  > near.xyz
+{ echo '1e9 -1e9 0'; head -n 1500 near.xyz; echo 0 700 0; tail -n 1500 near.xyz; echo 0 0 1e300; } > far.xyz
+accepts near.xyz --quiet -o near.ply
+for stream in '' --stream; do
+  accepts far.xyz $stream -o far.ply
+  check "they are counted" one_line out "points 3003, outliers 3, "
+  check "the skeleton is as without them" cmp near.ply far.ply
+done
+accepts far.xyz --stats
+check "they are in the statistics" one_line out '"outliers":3,'
+
+# Coordinates as large as numbers get.
+awk 'BEGIN { for(i = 0; i < 2000; ++i) printf "%.17g %.17g 0\n", 1.7e308 * cos(i), 1.7e308 * sin(i) }' \
+  > largest.xyz
+accepts largest.xyz --quiet -o largest.ply
+check "all vertices are finite" sh -c '! grep -E "inf|nan" largest.ply'
+
 # A surface of any size has points.
 for side in 1e100 1e-100 1e300 1e-300; do
   printf "OFF\n3 1 0\n0 0 0\n$side 0 0\n0 $side 0\n3 0 1 2\n" > side.off

@@ -18,13 +18,14 @@
 #include <vector>
 
 /// What is wrong with a skeleton of `points`, whatever they are; empty if nothing is. Right is: all
-/// numbers are finite; the graph is simple; every vertex is in the bounding box of the points; radii
-/// are not negative nor greater than its diagonal; no point belongs to two vertices.
+/// numbers are finite; the graph is simple; every vertex is in the bounding box of the points;
+/// radii are not negative nor greater than its diagonal; no point belongs to two vertices.
 template <typename Skeleton, typename Points>
 std::string wrong_with(const Skeleton& skeleton, const Points& points)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::array<double, 3> lower{{infinity, infinity, infinity}}, upper{{-infinity, -infinity, -infinity}};
+  std::array<double, 3> lower{{infinity, infinity, infinity}},
+      upper{{-infinity, -infinity, -infinity}};
   for(const auto& p : points)
     for(int k = 0; k < 3; ++k) {
       double& least = lower[static_cast<std::size_t>(k)];

@@ -21,10 +21,10 @@ constexpr std::size_t longest_line = std::size_t(1) << 24;
 } // namespace
 
 Input::Input(std::streambuf& bytes, std::uint64_t size)
-  : bytes_(bytes),
-    size_(size),
-    buffer_(static_cast<std::size_t>(
-        size == unknown ? buffer_size : std::clamp(size + 1, least_buffer_size, buffer_size)))
+    : bytes_(bytes)
+    , size_(size)
+    , buffer_(static_cast<std::size_t>(
+          size == unknown ? buffer_size : std::clamp(size + 1, least_buffer_size, buffer_size)))
 {}
 
 // Reads more behind what is in the buffer, which grows if it is full.

@@ -27,7 +27,8 @@ public:
 
 /// Thrown where a file ends too early; the text says after how many points.
 class Ends_early : public std::exception
-{};
+{
+};
 
 /// The bytes of a file, a pipe or memory, read once from begin to end through a buffer of bounded
 /// size. No count in a file makes it ask for memory: it hands out what is there.

@@ -85,22 +85,26 @@ Ply_header read_ply_header(Input& input)
     if(input.line_number() == 1) {
       if(keyword != "ply")
         not_understood(input);
-    } else if(keyword == "format") {
+    }
+    else if(keyword == "format") {
       read_format(input, words, header);
       has_format = true;
-    } else if(keyword == "element") {
+    }
+    else if(keyword == "element") {
       Ply_element element;
       if(words.size() < 3 || !to_integer(words[2], element.size))
         not_understood(input);
       element.name = words[1];
       header.elements.push_back(std::move(element));
-    } else if(keyword == "property" && !header.elements.empty())
+    }
+    else if(keyword == "property" && !header.elements.empty())
       header.elements.back().properties.push_back(property_of(input, words));
     else if(keyword == "end_header") {
       if(!has_format)
         throw Bad_file("its header does not say in which format it is");
       return header;
-    } else if(keyword != "comment" && keyword != "obj_info" && !keyword.empty())
+    }
+    else if(keyword != "comment" && keyword != "obj_info" && !keyword.empty())
       not_understood(input);
   }
   throw Ends_early();

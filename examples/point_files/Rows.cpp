@@ -14,7 +14,8 @@ void Rows::add_point(double x, double y, double z)
   if(std::isfinite(x) && std::isfinite(y) && std::isfinite(z)) {
     use_(x, y, z);
     ++rows_;
-  } else if(skip_invalid_)
+  }
+  else if(skip_invalid_)
     skip();
   else
     throw std::invalid_argument("point " + std::to_string(rows_) +
@@ -64,8 +65,8 @@ void Rows::finish()
   faces_.erase(std::remove_if(faces_.begin(), faces_.end(), was_skipped), faces_.end());
   for(Face& face : faces_)
     for(std::size_t& v : face)
-      v -= static_cast<std::size_t>(
-          std::lower_bound(skipped_.begin(), skipped_.end(), v) - skipped_.begin());
+      v -= static_cast<std::size_t>(std::lower_bound(skipped_.begin(), skipped_.end(), v) -
+                                    skipped_.begin());
 }
 
 } // namespace point_files

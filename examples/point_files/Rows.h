@@ -23,7 +23,10 @@ public:
   using Face = std::vector<std::size_t>;
 
   /// Without memory for points: `use` gets them. Faces are checked only.
-  Rows(Use_point use, bool skip_invalid) : use_(std::move(use)), skip_invalid_(skip_invalid) {}
+  Rows(Use_point use, bool skip_invalid)
+      : use_(std::move(use))
+      , skip_invalid_(skip_invalid)
+  {}
 
   /// Also keeps the faces.
   void keep_faces() { keeps_faces_ = true; }

@@ -13,7 +13,11 @@
 
 namespace point_files {
 
-enum class Byte_order { little, big };
+enum class Byte_order
+{
+  little,
+  big
+};
 
 /// The number that `bytes` hold, on a machine of any byte order.
 template <typename Number>
@@ -30,7 +34,8 @@ Number decoded(const char* bytes, Byte_order order)
   else if constexpr(sizeof(Number) == 4) {
     const auto word = static_cast<std::uint32_t>(bits);
     std::memcpy(&result, &word, 4);
-  } else
+  }
+  else
     result = static_cast<Number>(bits);
   return result;
 }
@@ -39,7 +44,10 @@ Number decoded(const char* bytes, Byte_order order)
 class Numbers
 {
 public:
-  Numbers(Input& input, Byte_order order) : input_(input), order_(order) {}
+  Numbers(Input& input, Byte_order order)
+      : input_(input)
+      , order_(order)
+  {}
 
   /// \throw Ends_early
   template <typename Number>
@@ -56,7 +64,19 @@ private:
 };
 
 /// A number in one of the types that point clouds are stored in.
-enum class Number_type { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
+enum class Number_type
+{
+  int8,
+  uint8,
+  int16,
+  uint16,
+  int32,
+  uint32,
+  int64,
+  uint64,
+  float32,
+  float64
+};
 
 inline std::size_t size_of(Number_type type)
 {
@@ -74,16 +94,26 @@ template <typename Visit>
 auto decode(const char* bytes, Number_type type, Byte_order order, const Visit& visit)
 {
   switch(type) {
-  case Number_type::int8: return visit(decoded<std::int8_t>(bytes, order));
-  case Number_type::uint8: return visit(decoded<std::uint8_t>(bytes, order));
-  case Number_type::int16: return visit(decoded<std::int16_t>(bytes, order));
-  case Number_type::uint16: return visit(decoded<std::uint16_t>(bytes, order));
-  case Number_type::int32: return visit(decoded<std::int32_t>(bytes, order));
-  case Number_type::uint32: return visit(decoded<std::uint32_t>(bytes, order));
-  case Number_type::int64: return visit(decoded<std::int64_t>(bytes, order));
-  case Number_type::uint64: return visit(decoded<std::uint64_t>(bytes, order));
-  case Number_type::float32: return visit(decoded<float>(bytes, order));
-  default: return visit(decoded<double>(bytes, order));
+  case Number_type::int8:
+    return visit(decoded<std::int8_t>(bytes, order));
+  case Number_type::uint8:
+    return visit(decoded<std::uint8_t>(bytes, order));
+  case Number_type::int16:
+    return visit(decoded<std::int16_t>(bytes, order));
+  case Number_type::uint16:
+    return visit(decoded<std::uint16_t>(bytes, order));
+  case Number_type::int32:
+    return visit(decoded<std::int32_t>(bytes, order));
+  case Number_type::uint32:
+    return visit(decoded<std::uint32_t>(bytes, order));
+  case Number_type::int64:
+    return visit(decoded<std::int64_t>(bytes, order));
+  case Number_type::uint64:
+    return visit(decoded<std::uint64_t>(bytes, order));
+  case Number_type::float32:
+    return visit(decoded<float>(bytes, order));
+  default:
+    return visit(decoded<double>(bytes, order));
   }
 }
 

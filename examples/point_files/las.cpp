@@ -22,7 +22,8 @@ constexpr std::size_t header_size_4 = 375; // of version 1.4
 class Las_header
 {
 public:
-  explicit Las_header(Input& input) : bytes_(header_size)
+  explicit Las_header(Input& input)
+      : bytes_(header_size)
   {
     input.read(bytes_.data(), header_size);
     if(std::string(bytes_.data(), 4) != "LASF")

@@ -15,9 +15,8 @@ namespace point_files {
 /// No stream is longer than this many times its compressed size: three bytes make 264.
 constexpr std::size_t lzf_greatest_ratio = 88;
 
-/// What was compressed with LZF, the method of compressed PCD files: a sequence of literal bytes and
-/// of copies of earlier output.
-/// \throw Bad_file if it is not `size` bytes
+/// What was compressed with LZF, the method of compressed PCD files: a sequence of literal bytes
+/// and of copies of earlier output. \throw Bad_file if it is not `size` bytes
 inline std::string lzf_decompressed(std::string_view in, std::size_t size)
 {
   const auto damaged = [] { throw Bad_file("its compressed data are damaged"); };

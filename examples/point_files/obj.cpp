@@ -44,7 +44,8 @@ void read_obj(Input& input, Rows& rows)
          !to_number(words[3], p[2]))
         throw Bad_file(input.line() + " is not understood");
       rows.add_point(p[0], p[1], p[2]);
-    } else if(words[0] == "f") {
+    }
+    else if(words[0] == "f") {
       face.clear();
       for(std::size_t k = 1; k < words.size(); ++k)
         face.push_back(vertex_of(input, words[k], rows.number_of_rows()));

@@ -49,7 +49,8 @@ void read_keyword(const Input& input, std::string_view keyword, Off_header& head
     keyword.remove_prefix(found ? prefix.size() : 0);
     return found;
   };
-  header.numbers_of_vertex += (drop("ST") ? 2u : 0u) + (drop("C") ? 4u : 0u) + (drop("N") ? 3u : 0u);
+  header.numbers_of_vertex +=
+      (drop("ST") ? 2u : 0u) + (drop("C") ? 4u : 0u) + (drop("N") ? 3u : 0u);
   if(keyword != "OFF")
     not_understood(input);
 }

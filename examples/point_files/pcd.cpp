@@ -59,8 +59,12 @@ bool take_type(Field& field)
 {
   const bool is_float = field.kind == 'F', is_signed = field.kind == 'I';
   switch(field.bytes_of_number) {
-  case 1: field.type = is_signed ? Number_type::int8 : Number_type::uint8; return !is_float;
-  case 2: field.type = is_signed ? Number_type::int16 : Number_type::uint16; return !is_float;
+  case 1:
+    field.type = is_signed ? Number_type::int8 : Number_type::uint8;
+    return !is_float;
+  case 2:
+    field.type = is_signed ? Number_type::int16 : Number_type::uint16;
+    return !is_float;
   case 4:
     field.type = is_float    ? Number_type::float32
                  : is_signed ? Number_type::int32
@@ -71,7 +75,8 @@ bool take_type(Field& field)
                  : is_signed ? Number_type::int64
                              : Number_type::uint64;
     return true;
-  default: return false;
+  default:
+    return false;
   }
 }
 
@@ -82,7 +87,8 @@ void take_line(const Input& input, const Words& words, Pcd_header& header)
     header.fields.resize(words.size() - 1);
     for(std::size_t i = 0; i < header.fields.size(); ++i)
       header.fields[i].name = words[i + 1];
-  } else if(key == "SIZE")
+  }
+  else if(key == "SIZE")
     take_fields(input, words, header, [](std::string_view word, Field& field) {
       return to_integer(word, field.bytes_of_number) && field.bytes_of_number <= 8;
     });

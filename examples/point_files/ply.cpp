@@ -42,7 +42,8 @@ struct Wanted
       const Ply_property& property = element.properties[i];
       const bool is_list = property.type_of_size.has_value();
       for(std::size_t k = 0; k < 3; ++k)
-        if(is_vertices(element) && !is_list && property.name == std::string_view("xyz").substr(k, 1))
+        if(is_vertices(element) && !is_list &&
+           property.name == std::string_view("xyz").substr(k, 1))
           coordinates[k] = i;
       if(is_faces(element) && is_list && is_integer(property.type) &&
          (property.name == "vertex_indices" || property.name == "vertex_index"))
@@ -68,7 +69,9 @@ class Taker
 {
 public:
   Taker(const Input& input, const Wanted& wanted, Rows& rows)
-    : input_(input), wanted_(wanted), rows_(rows)
+      : input_(input)
+      , wanted_(wanted)
+      , rows_(rows)
   {}
 
   bool wants_list(std::size_t property) const { return property == wanted_.corners; }
@@ -110,9 +113,7 @@ private:
 // One line per row.
 void read_text_rows(Input& input, const Ply_element& element, Taker& taker)
 {
-  const auto not_understood = [&input] {
-    throw Bad_file(input.line() + " is not understood");
-  };
+  const auto not_understood = [&input] { throw Bad_file(input.line() + " is not understood"); };
   std::vector<std::string_view> words;
   for(std::uint64_t row = 0; row < element.size; ++row) {
     words.clear();
@@ -211,8 +212,8 @@ void read_binary_vertices(Input& input, Byte_order order, const Ply_element& ele
     input.read(bytes.data(), size);
     std::array<double, 3> p;
     for(std::size_t k = 0; k < 3; ++k)
-      p[k] = to_double(bytes.data() + offset[k],
-                       element.properties[wanted.coordinates[k]].type, order);
+      p[k] = to_double(bytes.data() + offset[k], element.properties[wanted.coordinates[k]].type,
+                       order);
     rows.add_point(p[0], p[1], p[2]);
   }
 }

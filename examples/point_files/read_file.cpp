@@ -106,8 +106,8 @@ void read_file(const std::string& filename, const Reading_options& options, Rows
     fail(filename, "it is a folder");
   std::filebuf file;
   if(!file.open(filename, std::ios::in | std::ios::binary))
-    fail(filename, std::filesystem::exists(filename, ignored) ? "no permission"
-                                                              : "there is no such file");
+    fail(filename,
+         std::filesystem::exists(filename, ignored) ? "no permission" : "there is no such file");
   const std::uintmax_t size =
       is_file(filename) ? std::filesystem::file_size(filename, ignored) : Input::unknown;
   Input input(file, size);

@@ -34,11 +34,14 @@ struct Hash_of_corner
 class Triangles
 {
 public:
-  explicit Triangles(Rows& rows) : rows_(rows) {}
+  explicit Triangles(Rows& rows)
+      : rows_(rows)
+  {}
 
   void add_corner(const Corner& corner)
   {
-    const bool is_number = corner[0] == corner[0] && corner[1] == corner[1] && corner[2] == corner[2];
+    const bool is_number =
+        corner[0] == corner[0] && corner[1] == corner[1] && corner[2] == corner[2];
     const auto [known, is_new] = vertex_at_.emplace(corner, rows_.number_of_rows());
     face_.push_back(is_new || !is_number ? rows_.number_of_rows() : known->second);
     if(is_new)

@@ -40,9 +40,9 @@ class Row_format
 public:
   // By the first line that is no comment.
   explicit Row_format(std::string_view line)
-    : separator_(line.find(';') != std::string_view::npos   ? ';'
-                 : line.find(',') != std::string_view::npos ? ','
-                                                            : ' ')
+      : separator_(line.find(';') != std::string_view::npos   ? ';'
+                   : line.find(',') != std::string_view::npos ? ','
+                                                              : ' ')
   {}
 
   void split(std::string_view line, Fields& fields) const
@@ -136,14 +136,16 @@ void read_text(Input& input, Rows& rows)
       if(line_of_first_row == 0 && next()) { // may be separated otherwise
         format = Row_format(line);
         format.split(line, fields);
-      } else
+      }
+      else
         return;
     }
     if(format.take_row(fields, point)) {
       rows.add_point(point[0], point[1], point[2]);
       if(line_of_first_row == 0)
         line_of_first_row = input.line_number();
-    } else if(line_of_first_row != 0 || !format.take_header(fields))
+    }
+    else if(line_of_first_row != 0 || !format.take_header(fields))
       rows.add_invalid(complaint(input, line_of_first_row));
   };
   do

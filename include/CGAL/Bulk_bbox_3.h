@@ -13,12 +13,12 @@
 
 namespace CGAL {
 
-/// Finds the bounding box of the bulk of a cloud, the box for a `Gaussian_mixture_builder_3`, in memory
-/// that does not depend on the number of points.
+/// Finds the bounding box of the bulk of a cloud, the box for a `Gaussian_mixture_builder_3`, in
+/// memory that does not depend on the number of points.
 ///
 /// The bulk is all points but at most a thousandth of them that are farther away from the rest than
-/// the rest is large: measuring errors, at any finite distance. It does not depend on the order of the
-/// points, and is what `extract_l1_medial_skeleton()` finds for the points of a range.
+/// the rest is large: measuring errors, at any finite distance. It does not depend on the order of
+/// the points, and is what `extract_l1_medial_skeleton()` finds for the points of a range.
 ///
 /// Insert all points, call `end_pass()`, and if it returns `false`, which is rare, do so again.
 ///

@@ -22,7 +22,8 @@ class Piecewise_bytes : public std::streambuf
 {
 public:
   Piecewise_bytes(const std::uint8_t* data, std::size_t size, std::size_t piece)
-    : bytes_(data, data + size), piece_(piece)
+      : bytes_(data, data + size)
+      , piece_(piece)
   {}
 
 protected:

@@ -69,7 +69,10 @@ Found read(const std::string& bytes, const std::string& format, bool skip_invali
   options.skip_invalid = skip_invalid;
   Found found;
   point_files::Rows rows(
-    [&found](double x, double y, double z) { found.points.push_back({{x, y, z}}); }, skip_invalid);
+      [&found](double x, double y, double z) {
+        found.points.push_back({{x, y, z}});
+      },
+      skip_invalid);
   rows.keep_faces();
   point_files::read_bytes(input, "file", options, rows);
   found.faces = rows.faces();
@@ -113,7 +116,7 @@ TEST_CASE("LAS of every version and point format")
       for(const int more : {0, 6}) { // extra bytes are allowed
         CAPTURE(static_cast<int>(format), static_cast<int>(minor), more);
         const std::string bytes =
-          las(minor, format, static_cast<std::uint16_t>(records[format] + more));
+            las(minor, format, static_cast<std::uint16_t>(records[format] + more));
         CHECK(read(bytes, "las").points == expected);
         CHECK_THROWS_WITH(read(bytes.substr(0, bytes.size() - 1), "las"),
                           Catch::Contains("breaks off or is damaged after 1 points"));
@@ -192,12 +195,14 @@ TEST_CASE("STL as text and binary: corners at one place are one vertex")
 
 TEST_CASE("OBJ: places from the first and from the last vertex")
 {
-  const Found found = read("v 0 0 0\nv 1 0 0\nv 0 1 0 1\nvn 0 0 1\nf 1//1 2//1 3//1\nf -3 -2 -1\n", "obj");
+  const Found found =
+      read("v 0 0 0\nv 1 0 0\nv 0 1 0 1\nvn 0 0 1\nf 1//1 2//1 3//1\nf -3 -2 -1\n", "obj");
   CHECK(found.points.size() == 3);
   CHECK(found.faces == std::vector<std::vector<std::size_t>>{{0, 1, 2}, {0, 1, 2}});
   CHECK_THROWS_WITH(read("v 0 0 0\nf -2 1 1\n", "obj"), Catch::Contains("line 2 names no vertex"));
   CHECK_THROWS_WITH(read("v 0 0 0\nf 0 1 1\n", "obj"), Catch::Contains("line 2 names no vertex"));
-  CHECK_THROWS_WITH(read("v 0 0 0\nf 1 1 2\n", "obj"), Catch::Contains("face 0 names vertex 1 of 1"));
+  CHECK_THROWS_WITH(read("v 0 0 0\nf 1 1 2\n", "obj"),
+                    Catch::Contains("face 0 names vertex 1 of 1"));
 }
 
 TEST_CASE("OFF and PLY, binary, of any type and byte order")
@@ -224,6 +229,9 @@ TEST_CASE("OFF and PLY, binary, of any type and byte order")
                "property double y\nelement edge 1000000000\nproperty int v\nend_header\n");
   ply.add<std::uint8_t>(2).add<std::int32_t>(0).add<std::int32_t>(0);
   for(const int i : {1, -1})
-    ply.add<std::uint8_t>(255).add<std::int32_t>(3 * i).add(static_cast<std::int16_t>(i)).add(2. * i);
+    ply.add<std::uint8_t>(255)
+        .add<std::int32_t>(3 * i)
+        .add(static_cast<std::int16_t>(i))
+        .add(2. * i);
   CHECK(read(ply.string(), "ply").points == std::vector<Corner>{{{1, 2, 3}}, {{-1, -2, -3}}});
 }

@@ -13,8 +13,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -23,17 +21,17 @@ namespace Point_set_skeletonization_3 {
 namespace internal {
 
 /// Points in the finest cubic grid of which they occupy at most 4096 cells: with the number and the
-/// bounding box of the points of each cell. The widths of cells are powers of two in the coordinates
-/// of the input, from the least to the greatest number, so that neither the box of the points nor
-/// their order matters: cells are as fine as the bulk of the points allows, however far away others
-/// are.
+/// bounding box of the points of each cell. The widths of cells are powers of two in the
+/// coordinates of the input, from the least to the greatest number, so that neither the box of the
+/// points nor their order matters: cells are as fine as the bulk of the points allows, however far
+/// away others are.
 class Bulk_cells
 {
 public:
   struct Cell
   {
     std::size_t size = 0;
-    Extent box;
+    Box box;
   };
 
   /// The lower corner of a cell.
@@ -46,7 +44,7 @@ public:
     if(cells_.empty() || corner != corners_[last_]) // often the cell of the point before
       last_ = number_of(corner);
     ++cells_[last_].size;
-    cells_[last_].box.add(0, p);
+    cells_[last_].box.add(p);
     limit();
   }
 
@@ -54,9 +52,10 @@ public:
   void add(const Bulk_cells& others)
   {
     coarsen_to(std::max(level_, others.level_));
-    for(std::size_t i = 0; i < others.cells_.size(); ++i)
+    for(std::size_t i = 0; i < others.cells_.size(); ++i) {
       add(others.cells_[i], grid_.corner_of(others.corners_[i]));
-    limit();
+      limit();
+    }
   }
 
   const std::vector<Cell>& cells() const { return cells_; }
@@ -69,8 +68,7 @@ public:
     level_ = std::min(level, coarsest_level);
     grid_ = Grid(level_);
     last_ = 0;
-    number_of_.clear();
-    const std::vector<Corner> corners = std::exchange(corners_, {});
+    const Corners corners = std::exchange(corners_, Corners());
     const std::vector<Cell> cells = std::exchange(cells_, {});
     for(std::size_t i = 0; i < cells.size(); ++i)
       add(cells[i], grid_.corner_of(corners[i]));
@@ -84,11 +82,11 @@ public:
       for(int y = -1; y <= 1; ++y)
         for(int z = -1; z <= 1; ++z) {
           const Corner& corner = corners_[i];
-          const auto found = number_of_.find({{corner[0] + x * grid_.width,
-                                               corner[1] + y * grid_.width,
-                                               corner[2] + z * grid_.width}});
-          if(found != number_of_.end())
-            visit(found->second);
+          const std::size_t cell =
+              corners_.find({{corner[0] + x * grid_.width, corner[1] + y * grid_.width,
+                              corner[2] + z * grid_.width}});
+          if(cell < cells_.size())
+            visit(cell);
         }
   }
 
@@ -116,13 +114,21 @@ private:
   struct Grid
   {
     explicit Grid(int level)
-      : width(std::ldexp(1, level)), inverse(std::ldexp(1, -level)),
-        multiples(std::ldexp(1, std::min(level + 53, 1023)))
+        : width(std::ldexp(1, level))
+        , inverse(std::ldexp(1, -level))
+        , multiples(std::ldexp(1, std::min(level + 53, 1023)))
     {}
 
     double corner_of(double x) const
     {
-      return std::abs(x) < multiples ? std::floor(x * inverse) * width : x;
+      // Rounds a number of less than 52 bits; std::floor() would be a function call.
+      constexpr double half_bits = 0x1p51, to_integer = 0x1.8p52;
+      const double scaled = x * inverse;
+      if(std::abs(scaled) < half_bits) {
+        const double rounded = (scaled + to_integer) - to_integer;
+        return (rounded > scaled ? rounded - 1 : rounded) * width;
+      }
+      return std::abs(x) < multiples ? std::floor(scaled) * width : x;
     }
 
     Corner corner_of(const Corner& p) const
@@ -136,16 +142,55 @@ private:
 
   Corner corner_of(const Vector3& p) const { return grid_.corner_of(Corner{{p[0], p[1], p[2]}}); }
 
+  /// Corners in the order in which they were inserted, with a table of their numbers.
+  class Corners
+  {
+  public:
+    std::size_t size() const { return corners_.size(); }
+    const Corner& operator[](std::size_t i) const { return corners_[i]; }
+
+    /// The number of a corner, which is inserted if it is new.
+    std::size_t inserted(const Corner& corner)
+    {
+      std::uint32_t& slot = slots_[slot_of(corner)];
+      if(slot == 0) {
+        corners_.push_back(corner);
+        slot = static_cast<std::uint32_t>(corners_.size());
+      }
+      return slot - 1;
+    }
+
+    /// The number of a corner; `size()` if it is not there.
+    std::size_t find(const Corner& corner) const
+    {
+      const std::uint32_t slot = slots_[slot_of(corner)];
+      return slot == 0 ? size() : slot - 1;
+    }
+
+  private:
+    static constexpr std::size_t number_of_slots = 4 * most_cells;
+
+    /// The slot of a corner, or the free slot where it would be: at most a quarter of them is
+    /// taken.
+    std::size_t slot_of(const Corner& corner) const
+    {
+      std::size_t slot = Hash()(corner) % number_of_slots;
+      while(slots_[slot] != 0 && corners_[slots_[slot] - 1] != corner)
+        slot = (slot + 1) % number_of_slots;
+      return slot;
+    }
+
+    std::vector<Corner> corners_;
+    std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(number_of_slots, 0); ///< From 1.
+  };
+
   /// The cell with this corner, which is added if it is new.
   std::size_t number_of(const Corner& corner)
   {
-    const auto [found, is_new] =
-        number_of_.emplace(corner, static_cast<std::uint32_t>(cells_.size()));
-    if(is_new) {
+    const std::size_t number = corners_.inserted(corner);
+    if(number == cells_.size())
       cells_.emplace_back();
-      corners_.push_back(corner);
-    }
-    return found->second;
+    return number;
   }
 
   void add(const Cell& cell, const Corner& corner)
@@ -158,25 +203,26 @@ private:
   bool are_few_at(int level) const
   {
     const Grid grid(level);
-    std::unordered_set<Corner, Hash> corners;
-    for(const Corner& corner : corners_)
-      if(corners.insert(grid.corner_of(corner)).second && corners.size() > most_cells)
+    Corners coarse;
+    for(std::size_t i = 0; i < corners_.size(); ++i)
+      if(coarse.inserted(grid.corner_of(corners_[i])) == most_cells)
         return false;
     return true;
   }
 
-  /// Coarsens until there are few enough: grids of powers of two are nested, so by a galloping
+  /// Coarsens until there are few enough: grids of powers of two are nested, so by a binary
   /// search.
   void limit()
   {
     if(cells_.size() <= most_cells)
       return;
-    int many = level_, step = 1;
-    while(many + step < coarsest_level && !are_few_at(many + step)) {
-      many += step;
-      step *= 2;
+    // At first nothing is known of the width; later a slightly greater one will do.
+    int many = level_, few = level_ == finest_level ? coarsest_level : many + 1;
+    while(few < coarsest_level && !are_few_at(few)) {
+      const int step = few - many;
+      many = few;
+      few = std::min(few + 2 * step, coarsest_level);
     }
-    int few = std::min(many + step, coarsest_level);
     while(few - many > 1) {
       const int middle = many + (few - many) / 2;
       (are_few_at(middle) ? few : many) = middle;
@@ -186,15 +232,14 @@ private:
 
   int level_ = finest_level;
   Grid grid_{finest_level};
-  std::unordered_map<Corner, std::uint32_t, Hash> number_of_;
-  std::vector<Corner> corners_;
-  std::vector<Cell> cells_;
-  std::size_t last_ = 0; ///< The cell that a point was added to.
+  Corners corners_;
+  std::vector<Cell> cells_; ///< In the order of the corners.
+  std::size_t last_ = 0;    ///< The cell that a point was added to last.
 };
 
-/// Finds the bulk of a cloud: all points but at most a thousandth of them that are farther away from
-/// the rest than the rest is large. Those are no part of the shape, as the gap is as wide as it, and
-/// too few to be another one; but in its bounding box the shape would be small.
+/// Finds the bulk of a cloud: all points but at most a thousandth of them that are farther away
+/// from the rest than the rest is large. Those are no part of the shape, as the gap is as wide as
+/// it, and too few to be another one; but in its bounding box the shape would be small.
 ///
 /// Points are added in passes over the cloud, nearly always one.
 class Bulk
@@ -203,15 +248,16 @@ public:
   /// Adds the `i`-th point.
   void add(std::size_t i, const Vector3& p)
   {
-    extent_.add(i, p);
-    if(p.allFinite() && contains(p))
+    if(!p.allFinite())
+      not_finite_ = std::min(not_finite_, i);
+    else if(contains(p))
       cells_.add(p);
   }
 
   /// Adds the points of another part of the same pass.
   void add(const Bulk& other)
   {
-    extent_.add(other.extent_);
+    not_finite_ = std::min(not_finite_, other.not_finite_);
     cells_.add(other.cells_);
   }
 
@@ -221,7 +267,7 @@ public:
   /// \throws std::invalid_argument that names the first point with a coordinate that is not finite
   bool end_pass()
   {
-    extent_.check();
+    check_finite(not_finite_);
     std::size_t size = 0;
     for(const Bulk_cells::Cell& cell : cells_.cells())
       size += cell.size;
@@ -229,13 +275,12 @@ public:
     number_of_far_ = size_ - size;
     const auto [bulk, is_all] = bulk_of(cells_, size_ / 1000 - number_of_far_);
     box_ = bulk;
-    extent_ = Extent();
     cells_ = Bulk_cells();
     return is_all;
   }
 
   /// The bounding box of the bulk. \pre the last pass has ended
-  const Extent& box() const { return box_; }
+  const Box& box() const { return box_; }
 
   /// Number of points outside of it. \pre the last pass has ended
   std::size_t number_of_far() const { return number_of_far_; }
@@ -244,7 +289,7 @@ private:
   /// A box, and whether it contains all cells.
   struct Bulk_box
   {
-    Extent box;
+    Box box;
     bool is_all;
   };
 
@@ -256,12 +301,12 @@ private:
     return (p / 2 - q / 2).cwiseAbs().maxCoeff();
   }
 
-  static double farthest(const Extent& box, const Vector3& p)
+  static double farthest(const Box& box, const Vector3& p)
   {
     return std::max(half_distance(box.lower(), p), half_distance(box.upper(), p));
   }
 
-  static double nearest(const Extent& box, const Vector3& p)
+  static double nearest(const Box& box, const Vector3& p)
   {
     return half_distance(p.cwiseMax(box.lower()).cwiseMin(box.upper()), p);
   }
@@ -308,7 +353,7 @@ private:
   /// All but at most `most` points that are farther from the centre than twice the shape.
   static Bulk_box bulk_of(const Bulk_cells& cells, std::size_t most)
   {
-    Extent all;
+    Box all;
     for(const Bulk_cells::Cell& cell : cells.cells())
       all.add(cell.box);
     if(cells.cells().empty() || most == 0)
@@ -338,7 +383,7 @@ private:
       wide.visit_neighbors(reached[k], reach);
     }
 
-    Bulk_box result{Extent(), true};
+    Bulk_box result{Box(), true};
     for(const Bulk_cells::Cell& cell : wide.cells())
       if(nearest(cell.box, centre) <= 2 * shape)
         result.box.add(cell.box);
@@ -347,9 +392,9 @@ private:
     return result;
   }
 
-  Extent extent_;     ///< Of the points of the pass.
-  Bulk_cells cells_;  ///< Of those in the box.
-  Extent box_;        ///< As known from the passes before.
+  std::size_t not_finite_ = none_not_finite;
+  Bulk_cells cells_;     ///< Of the points of the pass that are in the box.
+  Box box_;              ///< As known from the passes before.
   std::size_t size_ = 0; ///< Number of points of the cloud; 0 in the first pass.
   std::size_t number_of_far_ = 0;
 };

@@ -85,7 +85,58 @@ private:
   double diagonal_ = 1;
 };
 
-/// The bounding box of points; boxes of parts can be added up.
+/// A bounding box, without points at first.
+class Box
+{
+public:
+  void add(const Vector3& p)
+  {
+    lower_ = lower_.cwiseMin(p);
+    upper_ = upper_.cwiseMax(p);
+  }
+
+  void add(const Box& other)
+  {
+    lower_ = lower_.cwiseMin(other.lower_);
+    upper_ = upper_.cwiseMax(other.upper_);
+  }
+
+  bool is_empty() const { return lower_.x() > upper_.x(); }
+
+  bool contains(const Vector3& p) const
+  {
+    return (lower_.array() <= p.array()).all() && (p.array() <= upper_.array()).all();
+  }
+
+  /// The corners. \pre it is not empty
+  const Vector3& lower() const { return lower_; }
+  const Vector3& upper() const { return upper_; }
+
+  /// The similarity that normalises the points.
+  Normalization normalization() const
+  {
+    return is_empty() ? Normalization() : Normalization(lower_, upper_);
+  }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  Vector3 lower_ = Vector3::Constant(infinity), upper_ = Vector3::Constant(-infinity);
+};
+
+/// No point, as the first with a coordinate that is not finite.
+constexpr std::size_t none_not_finite = std::numeric_limits<std::size_t>::max();
+
+/// \throws std::invalid_argument that names the first point with a coordinate that is not finite, if
+///         there is one
+inline void check_finite(std::size_t first_not_finite)
+{
+  if(first_not_finite != none_not_finite)
+    throw std::invalid_argument("point " + std::to_string(first_not_finite) +
+                                " has a coordinate that is not finite; remove or repair it");
+}
+
+/// The bounding box of points that may not be finite; boxes of parts can be added up.
 class Extent
 {
 public:
@@ -94,51 +145,26 @@ public:
   {
     if(!p.allFinite())
       not_finite_ = std::min(not_finite_, i);
-    lower_ = lower_.cwiseMin(p);
-    upper_ = upper_.cwiseMax(p);
+    box_.add(p);
   }
 
   void add(const Extent& other)
   {
     not_finite_ = std::min(not_finite_, other.not_finite_);
-    lower_ = lower_.cwiseMin(other.lower_);
-    upper_ = upper_.cwiseMax(other.upper_);
-  }
-
-  /// Whether there is no point.
-  bool is_empty() const { return lower_.x() > upper_.x(); }
-
-  /// The corners of the box. \pre there is a point
-  const Vector3& lower() const { return lower_; }
-  const Vector3& upper() const { return upper_; }
-
-  bool contains(const Vector3& p) const
-  {
-    return (lower_.array() <= p.array()).all() && (p.array() <= upper_.array()).all();
-  }
-
-  /// \throws std::invalid_argument that names the first point with a coordinate that is not finite
-  void check() const
-  {
-    if(not_finite_ != none)
-      throw std::invalid_argument("point " + std::to_string(not_finite_) +
-                                  " has a coordinate that is not finite; remove or repair it");
+    box_.add(other.box_);
   }
 
   /// The similarity that normalises the points.
   /// \throws std::invalid_argument that names the first point with a coordinate that is not finite
   Normalization normalization() const
   {
-    check();
-    return is_empty() ? Normalization() : Normalization(lower_, upper_);
+    check_finite(not_finite_);
+    return box_.normalization();
   }
 
 private:
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-
-  std::size_t not_finite_ = none; ///< The first point with such a coordinate.
-  Vector3 lower_ = Vector3::Constant(infinity), upper_ = Vector3::Constant(-infinity);
+  std::size_t not_finite_ = none_not_finite;
+  Box box_;
 };
 
 } // namespace internal

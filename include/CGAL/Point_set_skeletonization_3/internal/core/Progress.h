@@ -16,7 +16,8 @@ namespace internal {
 
 /// Thrown if the user's callback cancels; caught by `Steps::run()`.
 struct Cancelled
-{};
+{
+};
 
 /// The user's callback, for a stage that is a part of the whole. Always called from the thread that
 /// runs the stage.
@@ -80,7 +81,8 @@ public:
     return result;
   }
 
-  /// Reports `fraction`, in [0, 1], of this stage. \throws Cancelled if the callback returns `false`
+  /// Reports `fraction`, in [0, 1], of this stage. \throws Cancelled if the callback returns
+  /// `false`
   void operator()(double fraction) const
   {
     if(state_)
@@ -92,7 +94,7 @@ public:
   {
   public:
     explicit Polled(const Progress& progress)
-      : outer_(std::exchange(polled(), progress.state_.get()))
+        : outer_(std::exchange(polled(), progress.state_.get()))
     {}
     Polled(const Polled&) = delete;
     Polled& operator=(const Polled&) = delete;

@@ -80,14 +80,15 @@ private:
 
 /// A file that appears under its name only when it is complete and on the disk: it is written under
 /// a temporary name beside it, and renamed by `commit()`. If an exception or a full disk prevents
-/// that, an older file of that name is unchanged and no other file is left. It keeps the permissions
-/// of the older file.
+/// that, an older file of that name is unchanged and no other file is left. It keeps the
+/// permissions of the older file.
 class Output_file
 {
 public:
   /// \throw std::runtime_error if the file cannot be created, or an older one must not be changed
   explicit Output_file(const std::string& filename)
-    : filename_(filename), target_(target_of_output(filename))
+      : filename_(filename)
+      , target_(target_of_output(filename))
   {
     std::error_code ignored;
     if(std::filesystem::exists(target_, ignored)) {
@@ -120,8 +121,8 @@ public:
 
   std::ostream& stream() { return stream_; }
 
-  /// Renames the file to its final name, or leaves that to the `Output_transaction` if there is one.
-  /// \throw std::runtime_error if not all of it could be written
+  /// Renames the file to its final name, or leaves that to the `Output_transaction` if there is
+  /// one. \throw std::runtime_error if not all of it could be written
   void commit()
   {
     stream_.close(); // flushes: errors may appear only here
