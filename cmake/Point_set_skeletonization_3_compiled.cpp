@@ -6,3 +6,4 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/interface/Published_skeletonizer_impl.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/Skeletonizer_impl.h>
+#include <CGAL/Point_set_skeletonization_3/internal/io/skeleton_file_impl.h>

@@ -7,6 +7,8 @@ add_library(Point_set_skeletonization_3_compiled
             "${PROJECT_SOURCE_DIR}/cmake/Point_set_skeletonization_3_compiled.cpp")
 add_library(Point_set_skeletonization_3::Point_set_skeletonization_3_compiled
             ALIAS Point_set_skeletonization_3_compiled)
+# For shared libraries, such as a Python module, too.
+set_target_properties(Point_set_skeletonization_3_compiled PROPERTIES POSITION_INDEPENDENT_CODE ON)
 target_compile_definitions(Point_set_skeletonization_3_compiled
                            PUBLIC CGAL_POINT_SET_SKELETONIZATION_3_COMPILED)
 target_link_libraries(Point_set_skeletonization_3_compiled PUBLIC Point_set_skeletonization_3)

@@ -8,4 +8,5 @@ sh cmake/install_prerequisites.sh "$1"
 shift
 sh cmake/unpack_cgal_data.sh build/cgal_data
 echo "== Configuring build/"
-cmake -S . -B build -G Ninja "$@"
+# Python packages are installed for this interpreter, not for another that may be on the path.
+cmake -S . -B build -G Ninja -DPython_EXECUTABLE=/usr/bin/python3 "$@"

@@ -5,8 +5,8 @@
 #define POINT_SET_SKELETONIZATION_3_EXAMPLES_OPTIONS_H
 
 #include "Format.h"
+#include "outputs.h"
 
-#include <CGAL/IO/Curve_skeleton_3.h>
 #include <CGAL/Point_set_skeletonization_3/internal/io/Output_file.h>
 
 #include <CLI/CLI.hpp>
@@ -35,11 +35,16 @@ struct Published_symbols
 /// The command line of `skeletonize_point_set`.
 struct Options
 {
-  std::string input; ///< "-": standard input
-  std::string format; ///< by its extension; empty: as the input is called
+  std::string input;           ///< "-": standard input
+  bool is_one_of_many = false; ///< whether there are other inputs
+  std::string format;          ///< by its extension; empty: as the input is called
   bool skip_invalid = false;
   std::vector<std::string> outputs;
   std::string points;
+  std::string branches; ///< table of branches
+  std::string segment;  ///< the cloud with the branch of each point
+  std::string root = "lowest";
+  std::string up = "z"; ///< the vertical axis
   bool as_published = false;
   Published_symbols published;
   bool single_component = false;
@@ -50,12 +55,6 @@ struct Options
   unsigned int seed = 0;
   bool stats = false;
   bool quiet = false;
-};
-
-struct Parsed
-{
-  bool run; ///< false: help was asked for and shown
-  Options options;
 };
 
 /// Finds out before the work, not after it, that a file cannot be written where it is wanted.
@@ -82,23 +81,29 @@ inline void check_output(const std::string& filename, const std::string& input)
 inline void check_outputs(const Options& options)
 {
   using CGAL::Point_set_skeletonization_3::internal::target_of_output;
-  std::set<std::filesystem::path> files;
   const auto canonical = [](const std::string& filename) {
     return std::filesystem::weakly_canonical(std::filesystem::absolute(target_of_output(filename)));
   };
+  std::set<std::filesystem::path> files;
+  const auto check = [&](const std::string& filename) {
+    check_output(filename, options.input);
+    if(!files.insert(canonical(filename)).second)
+      throw std::runtime_error("cannot write '" + filename + "': this output is given twice");
+  };
   for(const std::string& output : options.outputs) {
-    if(!CGAL::IO::is_curve_skeleton_filename(output))
-      throw std::runtime_error("cannot write '" + output +
-                               "': name it .polylines.txt, .obj or .ply");
-    check_output(output, options.input);
-    if(!files.insert(canonical(output)).second)
-      throw std::runtime_error("cannot write '" + output + "': this output is given twice");
+    check_output_format(output);
+    check(output);
   }
-  if(options.points.empty())
-    return;
-  if(std::filesystem::path(options.points).extension() != ".xyz")
-    throw std::runtime_error("cannot write '" + options.points + "': name it .xyz");
-  check_output(options.points, options.input);
+  const auto check_other = [&](const std::string& filename, const std::string& ending) {
+    if(filename.empty())
+      return;
+    if(std::filesystem::path(filename).extension() != ending)
+      throw std::runtime_error("cannot write '" + filename + "': name it " + ending);
+    check(filename);
+  };
+  check_other(options.points, ".xyz");
+  check_other(options.branches, ".csv");
+  check_other(options.segment, ".ply");
 }
 
 /// \throw std::runtime_error
@@ -143,13 +148,30 @@ inline void add_published_options(CLI::App& app, Published_symbols& symbols)
   add("--d-max", symbols.d_max, tiny, any, "longest edge of a branch, in diagonals [0.15]");
 }
 
+/// What is made from branches, and where they start.
+inline void add_branch_options(CLI::App& app, Options& options)
+{
+  app.add_option("--branches", options.branches,
+                 "write a table of the branches, .csv: parent, order, length, radius, volume, angle")
+      ->type_name("FILE");
+  app.add_option("--segment", options.segment,
+                 "write the cloud, .ply: branch, order and distance to the skeleton of each point")
+      ->type_name("FILE");
+  app.add_option("--root", options.root, "orders count from here: lowest or thickest end [lowest]")
+      ->type_name("END")
+      ->check(CLI::IsMember({"lowest", "thickest"}));
+  app.add_option("--up", options.up, "the vertical axis [z]")
+      ->type_name("AXIS")
+      ->check(CLI::IsMember({"x", "y", "z"}));
+}
+
 /// For clouds larger than memory: what needs all points at a time is out of question.
 inline void add_stream_options(CLI::App& app, Options& options)
 {
   CLI::Option* stream =
       app.add_flag("--stream", options.stream,
                    "read point after point, in little memory for a file of any size");
-  for(const char* other : {"--as-published", "--sample", "--points"})
+  for(const char* other : {"--as-published", "--sample", "--points", "--segment"})
     stream->excludes(app.get_option(other));
   app.add_option("--box", options.box,
                  "XMIN YMIN ZMIN XMAX YMAX ZMAX that contain all points; else read twice")
@@ -158,24 +180,95 @@ inline void add_stream_options(CLI::App& app, Options& options)
       ->needs(stream);
 }
 
+/// What is to be done with several inputs.
+struct Batch
+{
+  std::vector<std::string> inputs;
+  std::string directory;
+  std::vector<std::string> formats; ///< endings without their dot
+};
+
+inline void add_batch_options(CLI::App& app, Batch& batch)
+{
+  CLI::Option* directory =
+      app.add_option("--output-directory", batch.directory,
+                     "folder for the outputs of any number of INPUTs, called as they are; see -f")
+          ->type_name("DIR");
+  CLI::Option* format =
+      app.add_option("-f,--output-format", batch.formats,
+                     "ending of what to write into --output-directory; may be repeated")
+          ->type_name("ENDING")
+          ->allow_extra_args(false);
+  format->needs(directory);
+  directory->needs(format);
+  for(const char* other : {"--output", "--points", "--branches", "--segment"})
+    directory->excludes(app.get_option(other));
+}
+
+/// Returns the options for each input. \throw std::runtime_error
+inline std::vector<Options> jobs_of(const Batch& batch, Options options)
+{
+  if(batch.directory.empty() && batch.inputs.size() > 1)
+    throw std::runtime_error("cannot take '" + batch.inputs[1] + "' as a second input: give " +
+                             "--output-directory and -f, or -o before each output");
+  std::vector<Options> jobs;
+  std::set<std::string> names;
+  for(const std::string& input : batch.inputs) {
+    options.input = input;
+    options.outputs = batch.directory.empty() ? options.outputs : std::vector<std::string>();
+    options.is_one_of_many = !batch.directory.empty();
+    const std::string name = std::filesystem::path(input).stem().string();
+    if(!names.insert(name).second)
+      throw std::runtime_error("cannot write the outputs of '" + input +
+                               "': another input has the same name");
+    for(const std::string& format : batch.formats) {
+      options.outputs.push_back(
+          (std::filesystem::path(batch.directory) / (name + '.' + format)).string());
+      check_output_format(options.outputs.back());
+    }
+    jobs.push_back(options);
+  }
+  if(!batch.directory.empty()) {
+    std::error_code error;
+    std::filesystem::create_directories(batch.directory, error);
+    if(error)
+      throw std::runtime_error("cannot create the folder '" + batch.directory +
+                               "': " + error.message());
+  }
+  for(const Options& job : jobs)
+    check_outputs(job);
+  return jobs;
+}
+
+/// Returns what is to be done, one input after the other; nothing if it was only to show help.
 /// \throw std::runtime_error with a message of one line
-inline Parsed parse_options(int argc, char** argv)
+inline std::vector<Options> parse_options(int argc, char** argv)
 {
   Options options;
+  Batch batch;
   CLI::App app("Curve skeleton of a raw point cloud: no normals, no mesh needed.",
                "skeletonize_point_set");
-  app.add_option("INPUT", options.input, point_files::names_of_formats() +
-                                              " or - for standard input; of a mesh, its vertices")
+  app.footer("Examples:\n"
+             "  skeletonize_point_set scan.ply -o skeleton.html -o skeleton.vtp\n"
+             "  skeletonize_point_set tree.las -o cylinders.csv --branches branches.csv\n"
+             "  skeletonize_point_set *.ply --output-directory skeletons -f swc -f png\n"
+             "An output is complete or not there. The exit code is 0, or 1 if anything failed.");
+  app.set_version_flag("--version", std::string("skeletonize_point_set ") + VERSION);
+  app.add_option("INPUT", batch.inputs, point_files::names_of_formats() +
+                                            " or - for standard input; of a mesh, its vertices")
       ->required();
   app.add_option("--format", options.format, "of INPUT, by its extension [as it is called]")
       ->type_name("EXTENSION");
   app.add_flag("--skip-invalid", options.skip_invalid,
                "leave out and count rows of INPUT that are no finite point");
   app.add_option("-o,--output", options.outputs,
-                 "skeleton to write: .polylines.txt, .obj or .ply; may be repeated")
+                 "page, picture or skeleton to write, may be repeated: " + output_endings())
+      ->type_name("FILE")
       ->allow_extra_args(false);
+  add_branch_options(app, options);
   app.add_option("--points", options.points,
-                 "also write the points it was computed from, .xyz; for --sample");
+                 "also write the points it was computed from, .xyz; for --sample")
+      ->type_name("FILE");
   app.add_flag("--single-component", options.single_component,
                "join all parts, for a shape known to be in one piece");
   app.add_flag("--as-published", options.as_published, "the published method, for comparison");
@@ -184,6 +277,7 @@ inline Parsed parse_options(int argc, char** argv)
       ->type_name("N")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
   add_stream_options(app, options);
+  add_batch_options(app, batch);
   app.add_option("--threads", options.threads, "number of threads [all cores]")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
@@ -194,13 +288,15 @@ inline Parsed parse_options(int argc, char** argv)
     app.parse(argc, argv);
   } catch(const CLI::CallForHelp&) {
     std::cout << app.help();
-    return {false, options};
+    return {};
+  } catch(const CLI::CallForVersion&) {
+    std::cout << app.version() << '\n';
+    return {};
   } catch(const CLI::ParseError& error) {
     throw std::runtime_error(std::string(error.what()) + " (try --help)");
   }
   check_box(options.box);
-  check_outputs(options);
-  return {true, options};
+  return jobs_of(batch, options);
 }
 
 #endif // POINT_SET_SKELETONIZATION_3_EXAMPLES_OPTIONS_H

@@ -9,18 +9,20 @@
 #include "for_each_point.h"
 #include "graph_counts.h"
 #include "read_points.h"
+#include "outputs.h"
 #include "sample_surface.h"
+#include "write_segmented_cloud.h"
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Gaussian_mixture_builder_3.h>
-#include <CGAL/IO/Curve_skeleton_3.h>
 #include <CGAL/L1_medial_skeletonization_3.h>
-#include <CGAL/Point_set_skeletonization_3/internal/io/Output_file.h>
+#include <CGAL/Point_set_skeletonization_3/internal/io/write_branches.h>
 #include <CGAL/Point_set_skeletonization_3/parameters.h>
 #include <CGAL/Point_set_skeletonization_3/published_parameters.h>
 #include <CGAL/Published_l1_medial_skeletonization_3.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/skeleton_branches.h>
 
 #include <nlohmann/json.hpp>
 #ifdef CGAL_LINKED_WITH_TBB
@@ -30,6 +32,7 @@
 
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <optional>
@@ -218,15 +221,42 @@ std::pair<Builder, std::size_t> stream(const Options& options)
   return {std::move(builder), skipped};
 }
 
-void write_points(const std::string& filename, const std::vector<Point>& points)
+// The skeleton with all that pages, pictures and tables show of it.
+Skeletonized_cloud with_branches(const Skeleton& skeleton, const std::vector<Point>& points,
+                                 std::size_t size, const Options& options)
 {
-  CGAL::Point_set_skeletonization_3::internal::Output_file file(filename);
-  for(const Point& p : points)
-    file.stream() << p << '\n';
-  file.commit();
+  Skeletonized_cloud cloud(points);
+  const std::size_t up = std::string("xyz").find(options.up);
+  cloud.name = std::filesystem::path(options.input).filename().string();
+  cloud.number_of_points = size;
+  cloud.up = up;
+  cloud.skeleton = CGAL::Point_set_skeletonization_3::internal::written_skeleton(
+      skeleton, options.root == "lowest" ? CGAL::lowest_vertices(skeleton, up)
+                                         : CGAL::thickest_vertices(skeleton));
+  assign_branches(skeleton, cloud);
+  return cloud;
 }
 
-void print_stats(const Reading& reading, const Result& result, const Graph_counts& counts)
+void write_outputs(const Skeletonized_cloud& cloud, const Options& options)
+{
+  for(const std::string& output : options.outputs)
+    write_output(output, cloud);
+  if(!options.branches.empty())
+    write_file(options.branches, [&cloud](std::ostream& os) {
+      CGAL::Point_set_skeletonization_3::internal::write_branches(os, cloud.skeleton,
+                                                                  cloud.points_of_branch);
+    });
+  if(!options.segment.empty())
+    write_file(options.segment, [&cloud](std::ostream& os) { write_segmented_cloud(os, cloud); });
+  if(!options.points.empty())
+    write_file(options.points, [&cloud](std::ostream& os) {
+      for(const Point& p : cloud.points)
+        os << p << '\n';
+    });
+}
+
+void print_stats(const Reading& reading, const Result& result, const Graph_counts& counts,
+                 const Options& options)
 {
   nlohmann::ordered_json seconds;
   if(reading.seconds)
@@ -237,6 +267,8 @@ void print_stats(const Reading& reading, const Result& result, const Graph_count
   seconds["total"] = reading.seconds.value_or(0) + result.mixture_seconds +
                      result.projection_seconds + result.linking_seconds;
   nlohmann::ordered_json stats;
+  if(options.is_one_of_many)
+    stats["input"] = options.input;
   stats["points"] = reading.points;
   if(reading.skipped)
     stats["skipped"] = *reading.skipped;
@@ -251,32 +283,32 @@ void print_stats(const Reading& reading, const Result& result, const Graph_count
   stats["length"] = counts.length;
   stats["outliers"] = result.outliers;
   stats["seconds"] = seconds;
-  std::cout << stats.dump() << std::endl;
+  const bool ascii = true; // a file's name may be in any encoding
+  std::cout << stats.dump(-1, ' ', ascii, nlohmann::json::error_handler_t::replace) << std::endl;
 }
 
-void print_summary(const Reading& reading, const Result& result, const Graph_counts& counts)
+void print_summary(const Reading& reading, const Result& result, const Graph_counts& counts,
+                   const Options& options)
 {
+  if(options.is_one_of_many)
+    std::cout << options.input << ": ";
   std::cout << "points " << reading.points;
   if(reading.skipped)
     std::cout << ", skipped " << *reading.skipped;
   if(result.outliers > 0)
     std::cout << ", outliers " << result.outliers;
   std::cout << ", components " << counts.components << ", cycles " << counts.cycles << ", ends "
-            << counts.ends << ", junctions " << counts.junctions << ", length " << counts.length
-            << std::endl;
+            << counts.ends << ", junctions " << counts.junctions << ", length " << counts.length;
+  if(options.outputs.empty() && options.branches.empty() && options.segment.empty())
+    std::cout << " (no skeleton was written: -o FILE writes " << output_endings() << ')';
+  std::cout << std::endl;
 }
 
 template <typename Points>
 Result run(const Points& points, const Options& options)
 {
-  Result result;
-  {
-    Progress_bar bar(!options.quiet);
-    result = skeletonize_with_threads(points, options, bar);
-  }
-  for(const std::string& output : options.outputs)
-    CGAL::IO::write_curve_skeleton(output, result.skeleton);
-  return result;
+  Progress_bar bar(!options.quiet);
+  return skeletonize_with_threads(points, options, bar);
 }
 
 void run(const Options& options)
@@ -286,6 +318,7 @@ void run(const Options& options)
   Result result;
   std::size_t skipped = 0;
   if(options.stream) {
+    const std::vector<Point> streamed; // are not kept
     CGAL::Real_timer timer;
     timer.start();
     const auto [builder, rows] = stream(options);
@@ -293,13 +326,13 @@ void run(const Options& options)
     reading.points = builder.number_of_points();
     skipped = rows;
     result = run(builder, options);
+    write_outputs(with_branches(result.skeleton, streamed, reading.points, options), options);
   } else {
     const Points_and_faces<Point> input = load(options);
     reading.points = input.points.size();
     skipped = input.number_of_skipped;
     result = run(input.points, options);
-    if(!options.points.empty())
-      write_points(options.points, input.points);
+    write_outputs(with_branches(result.skeleton, input.points, reading.points, options), options);
   }
   outputs.commit();
 
@@ -307,29 +340,38 @@ void run(const Options& options)
     reading.skipped = skipped;
   const Graph_counts counts = count_graph(result.skeleton);
   if(options.stats)
-    print_stats(reading, result, counts);
+    print_stats(reading, result, counts, options);
   else if(!options.quiet)
-    print_summary(reading, result, counts);
+    print_summary(reading, result, counts, options);
   if(!std::cout)
     throw std::runtime_error("cannot write to standard output");
+}
+
+// Returns whether it succeeded; otherwise one line on standard error says why.
+template <typename Action>
+bool succeeds(const Action& action, const std::string& of = "")
+{
+  const auto fail = [](const std::string& why) {
+    std::cerr << "skeletonize_point_set: " << why << std::endl;
+    return false;
+  };
+  try {
+    action();
+    return true;
+  } catch(const std::bad_alloc&) {
+    return fail("not enough memory" + of + "; try --stream");
+  } catch(const std::exception& error) {
+    return fail(error.what());
+  }
 }
 
 int main(int argc, char** argv)
 {
   end_on_signals(
       [] { CGAL::Point_set_skeletonization_3::internal::unfinished_files().abandon(); });
-  const auto fail = [](const std::string& why) {
-    std::cerr << "skeletonize_point_set: " << why << std::endl;
-    return EXIT_FAILURE;
-  };
-  try {
-    const Parsed parsed = parse_options(argc, argv);
-    if(parsed.run)
-      run(parsed.options);
-    return EXIT_SUCCESS;
-  } catch(const std::bad_alloc&) {
-    return fail("not enough memory; try --stream");
-  } catch(const std::exception& error) {
-    return fail(error.what());
-  }
+  std::vector<Options> jobs;
+  bool success = succeeds([&] { jobs = parse_options(argc, argv); });
+  for(const Options& options : jobs)
+    success = succeeds([&] { run(options); }, " for '" + options.input + "'") && success;
+  return success ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,7 +1,15 @@
 # The tests that run our programs, and other projects that use us.
 if(TARGET skeletonize_point_set)
-  foreach(name IN ITEMS program_usage program_input program_robust
-                        program_output program_signals picture)
+  set(names program_usage program_input program_robust program_output program_signals program_many
+            picture)
+  get_target_property(definitions skeletonize_point_set COMPILE_DEFINITIONS)
+  if("WITH_CAIRO" IN_LIST definitions AND "WITH_THREE_JS" IN_LIST definitions)
+    list(APPEND names program_views)
+    if(Point_set_skeletonization_3_COMPARISON)
+      list(APPEND names page) # in a browser
+    endif()
+  endif()
+  foreach(name IN LISTS names)
     add_test(NAME ${name} COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/${name}.sh"
                                   $<TARGET_FILE:skeletonize_point_set>)
   endforeach()
@@ -14,6 +22,29 @@ foreach(program IN ITEMS quality performance compare_skeletons)
   endif()
 endforeach()
 
+# Files of skeletons, read by other programs; by VTK, which is large, only where everything is tested.
+execute_process(COMMAND /usr/bin/python3 -c "import ezdxf, meshio, networkx, numpy"
+                RESULT_VARIABLE no_readers OUTPUT_QUIET ERROR_QUIET)
+if(no_readers)
+  message(STATUS "Without the test of file formats: there is no ezdxf, meshio, networkx or numpy for "
+                 "/usr/bin/python3")
+else()
+  add_executable(made_up_skeleton formats/made_up_skeleton.cpp)
+  target_link_libraries(made_up_skeleton PRIVATE development_header_only)
+  add_test(NAME formats COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/formats.sh"
+                                $<TARGET_FILE:made_up_skeleton>
+                                $<$<BOOL:${Point_set_skeletonization_3_COMPARISON}>:--vtk>)
+endif()
+
+if(TARGET python_module)
+  add_test(NAME python COMMAND "${Python_EXECUTABLE}"
+                               "${CMAKE_CURRENT_SOURCE_DIR}/python/check_module.py")
+  add_test(NAME python_example COMMAND "${Python_EXECUTABLE}"
+           "${PROJECT_SOURCE_DIR}/examples/python_example.py")
+  set_tests_properties(python python_example
+                       PROPERTIES ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/python;MPLBACKEND=Agg")
+endif()
+
 if(TARGET html_report)
   add_executable(made_up_report report/made_up_report.cpp)
   target_include_directories(made_up_report PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
@@ -22,6 +53,10 @@ if(TARGET html_report)
            COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/report.sh" $<TARGET_FILE:made_up_report>)
 endif()
 
+if(TARGET doc AND Point_set_skeletonization_3_COMPARISON)
+  add_test(NAME doc COMMAND "${CMAKE_COMMAND}" --build "${PROJECT_BINARY_DIR}" --target doc)
+  set_tests_properties(doc PROPERTIES RESOURCE_LOCK build_folder)
+endif()
 add_test(NAME readme COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/readme.sh")
 set(projects guest missing_packages)
 if(Point_set_skeletonization_3_INSTALL AND Point_set_skeletonization_3_COMPILED)

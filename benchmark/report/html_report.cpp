@@ -3,9 +3,9 @@
 
 #include "html_report.h"
 
+#include "fill_page.h"
 #include "results_json.h"
 
-#include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -33,30 +33,6 @@ std::map<std::string, std::filesystem::path> page_files()
   for(std::string file; std::getline(list, file, '|');)
     result[std::filesystem::path(file).filename().string()] = file;
   return result;
-}
-
-/// As text inside a script element, which must not contain its end.
-std::string embedded(const nlohmann::json& json)
-{
-  const bool ascii = true; // a file's name may be in any encoding
-  return boost::replace_all_copy(
-      json.dump(-1, ' ', ascii, nlohmann::json::error_handler_t::replace), "<", "\\u003c");
-}
-
-/// Writes the page with a text in place of every {{name}}.
-template <typename Text_of>
-void write_filled(std::ostream& out, const std::string& page, const Text_of& text_of)
-{
-  const std::string open = "{{", close = "}}";
-  std::size_t end = 0;
-  for(std::size_t begin; (begin = page.find(open, end)) != std::string::npos;) {
-    out << page.substr(end, begin - end);
-    begin += open.size();
-    end = page.find(close, begin);
-    out << text_of(page.substr(begin, end - begin));
-    end += close.size();
-  }
-  out << page.substr(end);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /*!
+\ingroup PkgPointSetSkeletonization3Concepts
 \cgalConcept
 
 The requirements on the geometric traits of all functions and classes of this package: two types. No

@@ -11,6 +11,8 @@
 
 namespace CGAL {
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// The properties of a vertex of a curve skeleton.
 template <typename GeomTraits>
 struct Curve_skeleton_vertex_3
@@ -27,6 +29,8 @@ struct Curve_skeleton_vertex_3
   std::vector<std::uint32_t> indices;
 };
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// The properties of an edge of a curve skeleton.
 struct Curve_skeleton_edge_3
 {
@@ -35,6 +39,8 @@ struct Curve_skeleton_edge_3
   bool is_bridge = false;
 };
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// A curve skeleton: an undirected BGL graph with the same layout as
 /// `Mean_curvature_flow_skeletonization::Skeleton`, so that `skeleton[v].point` and
 /// `split_graph_into_polylines()` work on both.

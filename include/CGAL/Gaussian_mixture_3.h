@@ -11,6 +11,8 @@
 
 namespace CGAL {
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// An anisotropic Gaussian of a mixture: a small surface patch of the input.
 template <typename GeomTraits>
 struct Gaussian_component_3
@@ -30,6 +32,8 @@ struct Gaussian_component_3
   std::array<FT, 6> covariance{{0, 0, 0, 0, 0, 0}};
 };
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// A hierarchy of Gaussian mixtures of one point set; data only.
 ///
 /// Every level describes the whole input and has the same total weight, mean and covariance;

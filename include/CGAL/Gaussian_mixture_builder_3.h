@@ -25,6 +25,8 @@ namespace CGAL {
 template <typename Traits, typename ConcurrencyTag>
 class L1_medial_skeletonization_3;
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// Takes the points of a cloud chunk after chunk and stores their moments only, so that a cloud
 /// larger than memory can be skeletonised: pass it to `extract_l1_medial_skeleton()`,
 /// `L1_medial_skeletonization_3` or `fit_gaussian_mixture()` in place of the points.
@@ -66,6 +68,7 @@ public:
   }
 
   /// Adds the points of a range, which is read once. O(1) amortised per point.
+  /// \param points the range
   /// \param np `point_map`, as for `extract_l1_medial_skeleton()`
   /// \throws std::invalid_argument if a coordinate is not finite or a point outside the box. The
   ///         message names the point by its number in the order of insertion; the points before it

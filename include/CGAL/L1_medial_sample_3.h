@@ -6,6 +6,8 @@
 
 namespace CGAL {
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// A point of the input that the published method moved to the middle of the shape. Lengths are in
 /// the unit of the input.
 template <typename GeomTraits>

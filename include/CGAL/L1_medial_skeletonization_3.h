@@ -25,6 +25,8 @@ namespace CGAL {
 template <typename Traits>
 class Gaussian_mixture_builder_3;
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// Computes the curve skeleton of a point set, step by step.
 ///
 /// Stores all intermediate results. `run()` does all steps; or call `fit_mixture()`, `project()`

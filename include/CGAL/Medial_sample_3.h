@@ -13,6 +13,8 @@
 
 namespace CGAL {
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// A patch of the surface, and its point in the middle of the shape.
 template <typename GeomTraits>
 struct Medial_sample_3
@@ -28,6 +30,8 @@ struct Medial_sample_3
   typename GeomTraits::FT radius = 0;
 };
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// A point of the surface: a component of the mixture that is no outlier.
 template <typename GeomTraits>
 struct Medial_surface_point_3
@@ -42,6 +46,8 @@ struct Medial_surface_point_3
   std::size_t sample = 0;
 };
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// The samples of a shape, from `compute_medial_samples()` and for `link_medial_samples()`; data
 /// only.
 template <typename GeomTraits>

@@ -23,6 +23,8 @@
 
 namespace CGAL {
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// Computes a curve skeleton by the method of Lengauer, Houska and Preiner as published, step by
 /// step: the reference for `L1_medial_skeletonization_3`, with the same interface.
 ///

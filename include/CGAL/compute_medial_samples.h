@@ -15,6 +15,8 @@
 
 namespace CGAL {
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// Stage 2 alone: computes medial samples from the components of the finest level of a mixture, as
 /// `L1_medial_skeletonization_3::project()` does. Noise and outliers are removed; what remains are
 /// the patches of a surface. The sample of a patch is the centre of the ball that touches it and

@@ -10,6 +10,8 @@
 
 namespace CGAL {
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// Extracts the curve skeleton of a point set: no normals, no mesh and no parameter needed.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` (default), `Parallel_tag` (needs TBB) or
@@ -71,6 +73,8 @@ bool extract_l1_medial_skeleton(const PointRange& points, Skeleton& skeleton,
   return true;
 }
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// The same for the points of a builder. All `indices` of the skeleton are empty. Named parameters
 /// are `callback`, `single_component` and `is_tree`.
 template <typename ConcurrencyTag = Sequential_tag, typename Traits, typename Skeleton,

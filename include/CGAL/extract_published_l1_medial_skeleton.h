@@ -8,6 +8,8 @@
 
 namespace CGAL {
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// Extracts the curve skeleton of a point set by the method of Lengauer, Houska and Preiner as
 /// published, for comparison; see `Published_l1_medial_skeletonization_3`. The result is always a
 /// tree. Edges that merge separate branches are marked, if the bundle of an edge has `is_bridge`.

@@ -8,6 +8,8 @@
 
 namespace CGAL {
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// Stage 1 alone: fits a hierarchy of Gaussian mixtures to a point set. The components of the
 /// finest level are the moments of the points in the cells of a grid; each further level has cells
 /// of twice the width. Weight, mean and covariance are exact. O(n).
@@ -33,6 +35,8 @@ auto fit_gaussian_mixture(const PointRange& points,
   }
 }
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// The same for the points of a builder. The named parameter is `callback`.
 template <typename ConcurrencyTag = Sequential_tag, typename Traits,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -19,6 +19,8 @@
 
 namespace CGAL {
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
 /// Stage 3 alone: links medial samples to a curve skeleton, as
 /// `L1_medial_skeletonization_3::link()` does. The surface of the patches of the samples is cut
 /// along local separators; separators and pieces become a graph, which is pruned and centred.

@@ -9,6 +9,9 @@ trap 'rm -rf "$work"' EXIT
 "$cmake" --install "$build" --prefix "$work/prefix" > "$work/install.log"
 if [ -e "$build/examples/skeletonize_point_set" ]; then
   "$work/prefix/bin/skeletonize_point_set" --help > "$work/help"
+  if [ -e "$build/examples/skeletonize_point_set.1" ]; then
+    grep -q "^.SH EXAMPLES\|Examples:" "$work/prefix/share/man/man1/skeletonize_point_set.1"
+  fi
 fi
 "$cmake" -S "$here" -B "$work/build" -G "$generator" -DCMAKE_CXX_COMPILER="$compiler" \
   -DCMAKE_BUILD_TYPE=Debug -DCMAKE_PREFIX_PATH="$work/prefix"

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef POINT_SET_SKELETONIZATION_3_EXAMPLES_WRITE_SEGMENTED_CLOUD_H
+#define POINT_SET_SKELETONIZATION_3_EXAMPLES_WRITE_SEGMENTED_CLOUD_H
+
+#include "Segment_tree.h"
+#include "Skeletonized_cloud.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <ostream>
+#include <vector>
+
+/// Writes the bytes of a number, the lowest first on any machine.
+template <typename Bits, typename Number>
+void write_little_endian(std::ostream& os, Number number)
+{
+  static_assert(sizeof(Bits) == sizeof(Number), "as many bits as the number has");
+  Bits bits;
+  std::memcpy(&bits, &number, sizeof bits);
+  for(std::size_t byte = 0; byte < sizeof bits; ++byte)
+    os.put(static_cast<char>(bits >> 8 * byte & 0xff));
+}
+
+/// The edges of a skeleton, and its lone vertices as edges of no length.
+inline metrics::Segment_tree segment_tree_of(const Skeletonized_cloud& cloud)
+{
+  const auto& vertices = cloud.skeleton.graph.vertices;
+  const auto point = [&vertices](std::size_t v) {
+    const auto& p = vertices[v].point;
+    return metrics::Point(p[0], p[1], p[2]);
+  };
+  std::vector<metrics::Segment> segments;
+  for(const auto& branch : cloud.skeleton.branches) {
+    const auto& path = branch.vertices;
+    if(path.size() == 1)
+      segments.emplace_back(point(path[0]), point(path[0]));
+    for(std::size_t i = 1; i < path.size(); ++i)
+      segments.emplace_back(point(path[i - 1]), point(path[i]));
+  }
+  return metrics::Segment_tree(std::move(segments));
+}
+
+/// Writes the points as a binary PLY with the `branch` of each, the `order` of that branch, and its
+/// `distance` to the skeleton. Branch and order are -1 for a point that belongs to no vertex.
+inline void write_segmented_cloud(std::ostream& os, const Skeletonized_cloud& cloud)
+{
+  os << "ply\nformat binary_little_endian 1.0\n"
+     << "comment branch and order are -1 for outliers\n"
+     << "element vertex " << cloud.points.size() << '\n'
+     << "property double x\nproperty double y\nproperty double z\n"
+     << "property int branch\nproperty int order\nproperty double distance\nend_header\n";
+  const metrics::Segment_tree tree = segment_tree_of(cloud);
+  for(std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const auto& p = cloud.points[i];
+    for(double x : {p.x(), p.y(), p.z()})
+      write_little_endian<std::uint64_t>(os, x);
+    const std::uint32_t b = cloud.branch_of_point[i];
+    const bool is_outlier = b == Skeletonized_cloud::no_branch;
+    const std::size_t order = is_outlier ? 0 : cloud.skeleton.branches[b].order;
+    write_little_endian<std::uint32_t>(os, is_outlier ? -1 : static_cast<std::int32_t>(b));
+    write_little_endian<std::uint32_t>(os, is_outlier ? -1 : static_cast<std::int32_t>(order));
+    write_little_endian<std::uint64_t>(os, tree.nearest(p).distance);
+  }
+}
+
+#endif // POINT_SET_SKELETONIZATION_3_EXAMPLES_WRITE_SEGMENTED_CLOUD_H

@@ -1,0 +1,32 @@
+# Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Headless Chromium, for the tests of pages."""
+
+from selenium import webdriver
+from selenium.webdriver.common.utils import is_connectable
+
+SWITCHES = """--headless --no-sandbox --disable-gpu --use-gl=angle --use-angle=swiftshader
+  --enable-unsafe-swiftshader --disable-quic --no-first-run --disable-background-networking
+  --disable-component-update --disable-sync --window-size=1500,1000"""
+
+
+class Service(webdriver.chrome.service.Service):
+    """The browser's driver by its number: a minimal system knows no host `localhost`."""
+
+    @property
+    def service_url(self):
+        return f"http://127.0.0.1:{self.port}"
+
+    def is_connectable(self):
+        return is_connectable(self.port, "127.0.0.1")
+
+
+def start_browser(profile):
+    options = webdriver.ChromeOptions()
+    options.binary_location = "/usr/bin/chromium"
+    for switch in SWITCHES.split() + [f"--user-data-dir={profile}"]:
+        options.add_argument(switch)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    service = Service("/usr/bin/chromedriver")
+    return webdriver.Chrome(service=service, options=options)

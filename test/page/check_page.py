@@ -1,0 +1,123 @@
+# Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Opens pages in headless Chromium and uses them. Usage: check_page.py PAGE EMPTY_PAGE; the first is
+of a large cloud, the second of a single point"""
+
+import hashlib
+import pathlib
+import sys
+import tempfile
+import unittest
+
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.support.ui import Select, WebDriverWait
+
+sys.path.append(str(pathlib.Path(__file__).parents[1]))
+from browser import start_browser
+
+
+class PageTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
+        cls.addClassCleanup(cls.profile.cleanup)
+        cls.browser = start_browser(cls.profile.name)
+        cls.addClassCleanup(cls.browser.quit)
+
+    def setUp(self):
+        self.open(self.page)
+
+    def tearDown(self):
+        errors = [line for line in self.browser.get_log("browser") if line["level"] == "SEVERE"]
+        self.assertEqual(errors, [])
+
+    def open(self, page):
+        self.browser.get(page.resolve().as_uri())
+        self.view = self.browser.find_element(By.CSS_SELECTOR, "#view canvas")
+
+    def run_script(self, script, *arguments):
+        return self.browser.execute_script(script, *arguments)
+
+    def picture(self):
+        """What is drawn, without the panel."""
+        url = self.run_script("draw(); return renderer.domElement.toDataURL()")
+        return hashlib.sha256(url.encode()).hexdigest()
+
+    def element(self, name):
+        return self.browser.find_element(By.ID, name)
+
+    def point_at(self, x, y):
+        size = self.view.size
+        ActionChains(self.browser).move_to_element_with_offset(
+            self.view, round(x) - size["width"] // 2, round(y) - size["height"] // 2).perform()
+
+    def test_needs_nothing_else(self):
+        requests = self.run_script(
+            "return performance.getEntriesByType('resource').map((entry) => entry.name)")
+        self.assertEqual([name for name in requests if not name.startswith("data:")], [])
+
+    def test_a_switch_hides_and_shows(self):
+        before = self.picture()
+        for name in "show_cloud", "show_skeleton", "show_tips":
+            self.element(name).click()
+            self.assertNotEqual(before, self.picture())
+            self.element(name).click()
+            self.assertEqual(before, self.picture())
+
+    def test_colours(self):
+        before = self.picture()
+        for name in "skeleton_colour", "cloud_colour":
+            choice = Select(self.element(name))
+            choice.select_by_value("branch")
+            self.assertNotEqual(before, self.picture())
+            choice.select_by_index(0)
+            self.assertEqual(before, self.picture())
+        Select(self.element("skeleton_colour")).select_by_value("order")
+        self.assertEqual(self.element("scale_name").text, "order")
+
+    def test_a_drag_turns_and_a_button_turns_back(self):
+        before = self.picture()
+        ActionChains(self.browser).move_to_element(self.view).click_and_hold() \
+            .move_by_offset(150, 40).release().perform()
+        WebDriverWait(self.browser, 30).until(lambda _: before != self.picture())
+        self.element("reset").click()
+        self.assertEqual(before, self.picture())
+
+    def test_pointing_at_the_skeleton_tells_of_it(self):
+        x, y = self.run_script(
+            "const screen = projected(), middle = Math.floor(vertexCount / 2);"
+            "return [screen[2 * middle], screen[2 * middle + 1]]")
+        self.point_at(x, y)
+        picked = self.element("picked")
+        self.assertTrue(picked.is_displayed())
+        for name in "radius", "branch", "its points":
+            self.assertIn(name, picked.text)
+        self.point_at(self.view.size["width"] - 5, 5)
+        self.assertFalse(picked.is_displayed())
+
+    def test_the_facts(self):
+        self.assertIn("400,000", self.element("facts").text)
+        self.assertIn("250,000 shown", self.element("shown_points").text)
+
+    def test_frames(self):
+        """Not a demand: drawn by a processor it is slow."""
+        seconds = self.run_script(
+            "const gl = renderer.getContext(), start = performance.now();"
+            "controls.dispatchEvent({ type: 'start' });"
+            "for (let i = 0; i < 5; ++i) { draw();"
+            "  gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); }"
+            "return (performance.now() - start) / 1000")
+        print(f"{5 / seconds:.1f} frames per second while turning, without a graphics card")
+
+    def test_hardly_anything(self):
+        self.open(self.empty)
+        self.assertIn("points\n1", self.element("facts").text)
+        self.picture()
+
+
+if __name__ == "__main__":
+    PageTest.empty = pathlib.Path(sys.argv.pop())
+    PageTest.page = pathlib.Path(sys.argv.pop())
+    unittest.main()
