@@ -48,6 +48,7 @@ struct Options
   bool as_published = false;
   Published_symbols published;
   bool single_component = false;
+  bool is_tree = false;
   bool stream = false;
   std::vector<double> box; ///< smallest x, y, z, then largest; empty: read the file twice
   std::size_t sample = 0;  ///< 0: take the vertices
@@ -271,6 +272,7 @@ inline std::vector<Options> parse_options(int argc, char** argv)
       ->type_name("FILE");
   app.add_flag("--single-component", options.single_component,
                "join all parts, for a shape known to be in one piece");
+  app.add_flag("--tree", options.is_tree, "open every cycle, for a shape known to have none");
   app.add_flag("--as-published", options.as_published, "the published method, for comparison");
   add_published_options(app, options.published);
   app.add_option("--sample", options.sample, "draw N points from the surface of a mesh instead")

@@ -150,7 +150,8 @@ Result skeletonize(const Points& points, const Options& options, Progress_bar& b
       return skeletonize_as_published<ConcurrencyTag>(points, options, bar);
   CGAL::L1_medial_skeletonization_3<Kernel, ConcurrencyTag> steps(
       points,
-      CGAL::parameters::single_component(options.single_component, callback_of(bar)));
+      CGAL::parameters::single_component(
+          options.single_component, CGAL::parameters::is_tree(options.is_tree, callback_of(bar))));
   return run_steps(steps);
 }
 

@@ -156,8 +156,8 @@ Skeleton extract_from(const py::object& points, std::optional<int> threads,
   return result;
 }
 
-Skeleton skeletonize(const py::object& points, bool single_component, std::optional<int> threads,
-                     const py::object& progress)
+Skeleton skeletonize(const py::object& points, bool single_component, bool is_tree,
+                     std::optional<int> threads, const py::object& progress)
 {
   return extract_from(
       points, threads, progress,
@@ -166,7 +166,9 @@ Skeleton skeletonize(const py::object& points, bool single_component, std::optio
             rows, graph,
             CGAL::parameters::single_component(
                 single_component,
-                CGAL::parameters::point_map(map).geom_traits(Kernel()).callback(callback)));
+                CGAL::parameters::is_tree(is_tree, CGAL::parameters::point_map(map)
+                                                       .geom_traits(Kernel())
+                                                       .callback(callback))));
       });
 }
 
@@ -280,12 +282,13 @@ PYBIND11_MODULE(_core, module)
       });
 
   module.def("skeletonize", &skeletonize, "points"_a, py::kw_only(), "single_component"_a = false,
-             "threads"_a = py::none(), "progress"_a = py::none(),
+             "is_tree"_a = false, "threads"_a = py::none(), "progress"_a = py::none(),
              R"(Extracts the curve skeleton of a point cloud.
 
 points: array of shape (n, 3), float32 or float64 in any layout, which is not copied; in any unit.
     It must not change meanwhile. Other numbers are converted.
 single_component: join all components, for a shape known to be in one piece.
+is_tree: open every cycle, for a shape known to have none.
 threads: number of threads; None: all cores. The result does not depend on it.
 progress: called with the progress in [0, 1]; returning False cancels (RuntimeError).
 

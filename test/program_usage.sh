@@ -30,6 +30,8 @@ accepts cloud.xyz
 check "a summary" one_line out "points 600" "components"
 accepts cloud.xyz --single-component
 check "a single component" one_line out "components 1"
+accepts cloud.xyz --tree
+check "no cycle" one_line out "cycles 0"
 accepts cloud.xyz --quiet
 check "quiet" test ! -s out
 

@@ -42,6 +42,7 @@ def skeletonize(
     points: ArrayLike,
     *,
     single_component: bool = ...,
+    is_tree: bool = ...,
     threads: Optional[int] = ...,
     progress: Optional[Callable[[float], Optional[bool]]] = ...,
 ) -> Skeleton: ...

@@ -4,6 +4,7 @@
 // Ranges, property maps and named parameters of the free functions.
 
 #include "catch2.h"
+#include "graph_counts.h"
 #include "shapes.h"
 #include "skeleton_checks.h"
 
@@ -194,6 +195,24 @@ TEST_CASE("Named parameters chain, the package's own in front")
   const Skeleton apart = of_two_parts(parameters::default_values());
   CHECK(have_same_bits(apart, of_two_parts(parameters::single_component(false))));
   CHECK_FALSE(have_same_bits(apart, single));
+}
+
+TEST_CASE("A shape known to be a tree becomes one")
+{
+  const auto corner = [](int k) {
+    return shapes::Vector(std::cos(k * shapes::pi / 3), std::sin(k * shapes::pi / 3), 0);
+  };
+  shapes::Shape hexagon;
+  for(int k = 0; k < 6; ++k)
+    hexagon.push_back({corner(k), corner(k + 1), 0.1});
+  const Points points = shapes::to_points<Kernel>(shapes::sample(hexagon, 6000, 32));
+  Skeleton as_seen, tree;
+  REQUIRE(CGAL::extract_l1_medial_skeleton(points, as_seen));
+  REQUIRE(CGAL::extract_l1_medial_skeleton(
+    points, tree, parameters::single_component(true, parameters::is_tree(true))));
+  CHECK(count_graph(as_seen).cycles > 0);
+  CHECK(count_graph(tree).cycles == 0);
+  CHECK(count_graph(tree).components == 1);
 }
 
 TEST_CASE("The parameters of the published method chain as well, and each changes the result")

@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Which loops are opened, and where.
+
+#include "catch2.h"
+#include "surface_of.h"
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/limb_evidence.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/open_loops.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <vector>
+
+using namespace CGAL::Point_set_skeletonization_3::internal;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A regular polygon with this number of vertices.
+Skeleton_graph polygon(std::size_t size)
+{
+  Skeleton_graph graph;
+  graph.vertices.resize(size);
+  for(std::size_t v = 0; v < size; ++v) {
+    const double angle = 2 * CGAL_PI * static_cast<double>(v) / static_cast<double>(size);
+    graph.vertices[v].position = {std::cos(angle), std::sin(angle), 0};
+    graph.edges.emplace_back(v, (v + 1) % size);
+  }
+  return graph;
+}
+
+bool has_edge(const Skeleton_graph& graph, std::size_t v, std::size_t w)
+{
+  return std::count(graph.edges.begin(), graph.edges.end(), Skeleton_graph::Edge(v, w)) +
+           std::count(graph.edges.begin(), graph.edges.end(), Skeleton_graph::Edge(w, v)) >
+         0;
+}
+
+Patch patch_at(const Vector3& place, const Vector3& normal, double spacing)
+{
+  Patch patch;
+  patch.mean = place;
+  patch.normal = normal.normalized();
+  patch.weight = 1;
+  patch.spacing = spacing;
+  patch.area = spacing * spacing;
+  return patch;
+}
+
+/// The evidence at a vertex in the middle of the patches that are nearest to a place, within
+/// `reach`. Samples are as far behind their patches as `depth`.
+double evidence_near(const Vector3& place, double reach, const Patches& patches, double depth)
+{
+  const Surface surface = surfaces::surface_of(patches);
+  Samples samples;
+  for(const Patch& patch : patches)
+    samples.push_back({patch.mean - depth * patch.normal, depth});
+  std::vector<std::size_t> members;
+  for(std::size_t i = 0; i < patches.size(); ++i)
+    if((patches[i].mean - place).norm() < reach)
+      members.push_back(i);
+  REQUIRE(members.size() > 2);
+  return Limb_evidence(surface, samples, Concurrency::sequential)(
+    middle(members, patches, samples), members);
+}
+
+} // namespace
+
+TEST_CASE("There is evidence for a tube and for a line, not for scattered points")
+{
+  constexpr double radius = 0.1, spacing = 0.025;
+  constexpr int around = 24, along = 60;
+  Patches tube, line, scattered;
+  for(int k = 0; k < along; ++k) {
+    const Vector3 on_axis = (k - along / 2) * spacing * Vector3::UnitZ();
+    for(int l = 0; l < around; ++l) {
+      const double angle = 2 * CGAL_PI * l / around;
+      const Vector3 outward(std::cos(angle), std::sin(angle), 0);
+      tube.push_back(patch_at(on_axis + radius * outward, outward, spacing));
+    }
+    line.push_back(patch_at(on_axis, Vector3::UnitX(), spacing));
+  }
+  const unsigned int seed = GENERATE(1u, 2u, 3u);
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  const auto number = [&] { return static_cast<double>(random()) / 4294967296.0 - 0.5; };
+  for(int k = 0; k < 3000; ++k) {
+    const double x = number(), y = number(), z = number(), u = number(), v = number();
+    scattered.push_back(patch_at({x, y, z}, {u, v, number()}, 0.07));
+  }
+  constexpr double most = 0.5; // what the options ask of a loop
+  const Vector3 origin = Vector3::Zero();
+  CHECK(evidence_near(origin, 1.1 * radius, tube, radius) > 0.8);
+  CHECK(evidence_near(origin, 2.5 * spacing, line, 0) > 0.5);
+  CHECK(evidence_near(origin, 0.15, scattered, radius) < most);
+}
+
+TEST_CASE("A loop is opened where its evidence is least")
+{
+  std::vector<double> evidence(10, 0.4);
+  evidence[6] = 0.1;
+  const Skeleton_graph opened = with_loops_opened(polygon(10), evidence, 0.5);
+  CHECK(opened.edges.size() == 9);
+  CHECK(has_edge(opened, 5, 6) != has_edge(opened, 6, 7));
+}
+
+TEST_CASE("A loop with enough evidence stays, though one place has none; a tree has no loop")
+{
+  std::vector<double> evidence(10, 0.9);
+  evidence[6] = 0;
+  CHECK(with_loops_opened(polygon(10), evidence, 0.5).edges.size() == 10);
+  CHECK(with_loops_opened(polygon(10), evidence, infinity).edges.size() == 9);
+}
+
+TEST_CASE("Of two loops with a common side each is judged alone, and all stays connected")
+{
+  // Vertices 0 to 9 around, and a path 0, 10, 5 across: the loop on the side of 1 to 4 is weak.
+  Skeleton_graph graph = polygon(10);
+  graph.vertices.emplace_back();
+  graph.edges.emplace_back(0, 10);
+  graph.edges.emplace_back(10, 5);
+  std::vector<double> evidence(11, 1);
+  for(std::size_t v = 1; v < 5; ++v)
+    evidence[v] = 0.1;
+  const Skeleton_graph opened = with_loops_opened(graph, evidence, 0.8);
+  CHECK(opened.edges.size() == graph.edges.size() - 1);
+  for(std::size_t v = 5; v < 10; ++v)
+    CHECK(has_edge(opened, v, (v + 1) % 10));
+  Union_find parts(opened.vertices.size());
+  for(const Skeleton_graph::Edge& e : opened.edges)
+    parts.join(e.first, e.second);
+  for(std::size_t v = 0; v < 11; ++v)
+    CHECK(parts.find(v) == parts.find(0));
+}
