@@ -59,7 +59,8 @@ inline void fuzz_points(const std::uint8_t* data, std::size_t size)
     CGAL::Gaussian_mixture_builder_3<Kernel> builder(CGAL::bbox_3(points.begin(), points.end()));
     builder.insert(points);
     CGAL::extract_l1_medial_skeleton(builder, skeleton);
-    CGAL::extract_published_l1_medial_skeleton(points, skeleton);
+    CGAL::extract_published_l1_medial_skeleton(points, skeleton,
+                                               CGAL::parameters::number_of_iterations(2));
   } catch(const std::invalid_argument&) {
   }
 }
