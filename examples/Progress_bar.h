@@ -11,7 +11,8 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-/// A bar on standard error, if that is a terminal, and no wider than it; gone when the work is done.
+/// A bar on standard error, if that is a terminal, and no wider than it; gone when the work is
+/// done.
 class Progress_bar
 {
 public:

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Samples from elsewhere, linked to a skeleton: here those of a torus, of which the middle is known.
+// Samples from elsewhere, linked to a skeleton: here those of a torus, of which the middle is
+// known.
 
 #include <CGAL/Curve_skeleton_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What nearly every example includes and what is slow to compile. An example still includes what it uses.
+// What nearly every example includes and what is slow to compile. An example still includes what it
+// uses.
 
 #include "read_points.h"
 

@@ -40,8 +40,8 @@ inline Vector3 around(double angle)
   return Vector3(std::cos(angle), std::sin(angle), 0);
 }
 
-/// A tube of `along` rings: closed, as a torus around the z axis, or straight along the x axis, open
-/// at both ends.
+/// A tube of `along` rings: closed, as a torus around the z axis, or straight along the x axis,
+/// open at both ends.
 struct Tube
 {
   bool is_closed;

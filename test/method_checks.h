@@ -46,8 +46,8 @@ inline double median_off_axis(const Skeleton& skeleton, const Shape& shape)
   return distances[distances.size() / 2];
 }
 
-/// Checks what a method made of a shape: its components, cycles and ends, and how far its vertices are
-/// off the axis in the median, in radii.
+/// Checks what a method made of a shape: its components, cycles and ends, and how far its vertices
+/// are off the axis in the median, in radii.
 inline void check_skeleton(const Method_result& result, const Method_input& input,
                            const Shape& shape, std::size_t components, std::size_t cycles,
                            std::size_t ends, double off)

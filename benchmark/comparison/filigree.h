@@ -12,8 +12,8 @@
 #include <vector>
 
 /// A shape like the paper's Filigree (Fig. 5 and 6): a wavy, uneven grid of 5 x 3 holes whose limbs
-/// differ in thickness by a factor of two. It has 20 junctions, 15 cycles and no ends. Its limbs are
-/// thinner than those of the generator's families, 1.5 to 3.5 % of the diagonal.
+/// differ in thickness by a factor of two. It has 20 junctions, 15 cycles and no ends. Its limbs
+/// are thinner than those of the generator's families, 1.5 to 3.5 % of the diagonal.
 inline shapes::Known_shape filigree(unsigned int seed)
 {
   using shapes::Vector;

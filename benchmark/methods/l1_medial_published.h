@@ -6,8 +6,8 @@
 
 #include "Method.h"
 
-/// This package's `Published_l1_medial_skeletonization_3`: Lengauer, Houska, Preiner, "Efficient Point
-/// Cloud Skeletonization with Locally Adaptive L1-Medial Projection". Reads the points.
+/// This package's `Published_l1_medial_skeletonization_3`: Lengauer, Houska, Preiner, "Efficient
+/// Point Cloud Skeletonization with Locally Adaptive L1-Medial Projection". Reads the points.
 Method_result l1_medial_published(const Method_input& input);
 
 /// The same with the tuned set of its parameters.

@@ -30,7 +30,8 @@ double peak_memory_so_far()
   return static_cast<double>(usage.ru_maxrss) / 1024; // KiB on Linux
 }
 
-/// Keeps threads busy for a while: it takes a system up to 20 ms until new ones have cores of their own.
+/// Keeps threads busy for a while: it takes a system up to 20 ms until new ones have cores of their
+/// own.
 void start_threads([[maybe_unused]] std::size_t threads)
 {
 #ifdef CGAL_LINKED_WITH_TBB

@@ -29,9 +29,9 @@ struct Work
   std::size_t threads = 1; ///< at work before the clock starts, as in a program that has used them
 };
 
-/// Runs every work `runs` times, each time in a process of its own, one after the other and then all
-/// of them again: the speed of a processor changes from minute to minute. A work that goes wrong or
-/// takes longer than `time_limit` seconds is not run again.
+/// Runs every work `runs` times, each time in a process of its own, one after the other and then
+/// all of them again: the speed of a processor changes from minute to minute. A work that goes
+/// wrong or takes longer than `time_limit` seconds is not run again.
 std::vector<Measured_runs> measure_runs(const std::vector<Work>& works, std::size_t runs,
                                         double time_limit);
 

@@ -48,8 +48,8 @@ Rows our_rows(const Rows& rows)
   return result;
 }
 
-/// Of the seconds of one to those of the other, in the median over the runs: those of the same round
-/// find the machine in the same state.
+/// Of the seconds of one to those of the other, in the median over the runs: those of the same
+/// round find the machine in the same state.
 double median_ratio(const std::vector<double>& one, const std::vector<double>& other)
 {
   std::vector<double> ratios;

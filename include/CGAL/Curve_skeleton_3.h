@@ -34,8 +34,8 @@ struct Curve_skeleton_vertex_3
 /// The properties of an edge of a curve skeleton.
 struct Curve_skeleton_edge_3
 {
-  /// Whether it was added by the published method to merge separate branches: there may be no points
-  /// along it.
+  /// Whether it was added by the published method to merge separate branches: there may be no
+  /// points along it.
   bool is_bridge = false;
 };
 

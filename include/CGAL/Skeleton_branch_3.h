@@ -51,8 +51,9 @@ struct Skeleton_branch_3
   double volume = 0;      ///< Of truncated cones, one per edge.
 
   /// Angle to the parent where the branch starts, in [0, 180]: 0 straight on, 180 back. Directions
-  /// are those of chords from two to five radii of the junction along the paths, as these bend inside
-  /// the parent. Not a number if there is no parent, or nothing but a point to have a direction.
+  /// are those of chords from two to five radii of the junction along the paths, as these bend
+  /// inside the parent. Not a number if there is no parent, or nothing but a point to have a
+  /// direction.
   double angle = std::numeric_limits<double>::quiet_NaN();
 };
 

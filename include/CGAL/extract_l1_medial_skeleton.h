@@ -44,13 +44,13 @@ namespace CGAL {
 ///       `single_component(true, rest)`, see `CGAL/Point_set_skeletonization_3/parameters.h`}
 ///       \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
 ///     \cgalParamNBegin{is_tree} \cgalParamDescription{whether the skeleton is known to have no
-///       cycle, as that of a tree or a plant: every cycle is opened where the evidence for a limb is
-///       least, instead of only those without enough of it} \cgalParamType{`bool`}
+///       cycle, as that of a tree or a plant: every cycle is opened where the evidence for a limb
+///       is least, instead of only those without enough of it} \cgalParamType{`bool`}
 ///       \cgalParamDefault{`false`} \cgalParamNEnd
 ///   \cgalNamedParamsEnd
 ///
-/// O(n) for reading the points three times; the rest is O(m log m) in practice for m grid cells, one
-/// for two points, at most 131 072.
+/// O(n) for reading the points three times; the rest is O(m log m) in practice for m grid cells,
+/// one for two points, at most 131 072.
 ///
 /// \returns `false` if the callback cancelled
 /// \throws std::invalid_argument if a coordinate is not finite; the message names the point

@@ -32,7 +32,8 @@ namespace CGAL {
 ///     \cgalParamNBegin{maximum_running_time} \cgalParamDescription{seconds after which it cancels
 ///       itself, as if the callback had}
 ///       \cgalParamDefault{no limit} \cgalParamNEnd
-///     \cgalParamNBegin{number_of_iterations} \cgalParamDescription{of the projection; the paper uses
+///     \cgalParamNBegin{number_of_iterations} \cgalParamDescription{of the projection; the paper
+///     uses
 ///       20 to 30} \cgalParamType{`std::size_t`} \cgalParamDefault{30, tuned 60} \cgalParamNEnd
 ///     \cgalParamNBegin{random_seed} \cgalParamDescription{of the parents of the mixture and of the
 ///       samples: equal seeds, equal results} \cgalParamType{`unsigned int`} \cgalParamDefault{0}

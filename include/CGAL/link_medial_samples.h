@@ -27,7 +27,8 @@ namespace CGAL {
 /// O(n log n) in practice.
 ///
 /// \param samples from `compute_medial_samples()` or elsewhere: of each sample its point and
-///        its radius are used, and the mean and the weight of its patch if `samples.surface` is empty
+///        its radius are used, and the mean and the weight of its patch if `samples.surface` is
+///        empty
 /// \param skeleton replaced by the result; left untouched if the callback cancels or on an
 ///        exception. The `indices` of a vertex, if it has them, are the positions of its samples in
 ///        `samples.samples`

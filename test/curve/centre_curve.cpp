@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A skeleton is drawn to the centres of the cross-sections of its limbs: from off-centre and wavering
-// curves, in noise, where a limb is flat or bent, and where it is sampled unevenly or on one side.
+// A skeleton is drawn to the centres of the cross-sections of its limbs: from off-centre and
+// wavering curves, in noise, where a limb is flat or bent, and where it is sampled unevenly or on
+// one side.
 
 #include "catch2.h"
 #include "generator/Random.h"

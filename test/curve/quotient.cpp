@@ -97,7 +97,8 @@ public:
     return v;
   }
 
-  // A branch from a vertex, of `size` vertices one `step` apart: a cross-section, a piece, and so on.
+  // A branch from a vertex, of `size` vertices one `step` apart: a cross-section, a piece, and so
+  // on.
   std::size_t add_branch(std::size_t from, const Vector3& step, int size, double radius,
                          int ring = 12)
   {

@@ -244,8 +244,8 @@ TEST_CASE("The order of the points changes nothing but rounding")
   }
 }
 
-// Sums are split into parts above 16 points a cell, and the grid that is read first gets coarser above
-// four cells a wanted one.
+// Sums are split into parts above 16 points a cell, and the grid that is read first gets coarser
+// above four cells a wanted one.
 TEST_CASE("Any number of threads gives the same bits, of clouds of any size")
 {
   for(const std::size_t size : {5000u, 100000u, 250000u})

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The closed form of the attraction against the integral and the sum that it stands for, and its fast
-// evaluation against the closed form.
+// The closed form of the attraction against the integral and the sum that it stands for, and its
+// fast evaluation against the closed form.
 
 #include "catch2.h"
 

@@ -31,8 +31,8 @@ enum published_d_max_t { published_d_max };
 namespace parameters {
 
 /// The named parameters of `extract_published_l1_medial_skeleton()`, with the symbols of the paper.
-/// As `single_component`, they take the rest of the chain as a second argument: `mu(0.3, d_max(0.2))`.
-/// `std::nullopt` means the default.
+/// As `single_component`, they take the rest of the chain as a second argument: `mu(0.3,
+/// d_max(0.2))`. `std::nullopt` means the default.
 namespace published {
 
 /// Whether the defaults are those of `Published_options::tuned()` instead of the printed ones.
@@ -63,7 +63,8 @@ inline constexpr Parameter<internal_np::published_levels_t, std::optional<std::s
 inline constexpr Parameter<internal_np::published_flatness_t, std::optional<double>> flatness{};
 
 /// Regularisation of the mixture M_X of the samples.
-inline constexpr Parameter<internal_np::published_sample_flatness_t, std::optional<double>> sample_flatness{};
+inline constexpr Parameter<internal_np::published_sample_flatness_t, std::optional<double>>
+  sample_flatness{};
 
 /// alpha_min, the least angle of adjacent segments; in degrees.
 inline constexpr Parameter<internal_np::published_alpha_min_t, std::optional<double>> alpha_min{};

@@ -127,8 +127,8 @@ private:
 /// No point, as the first with a coordinate that is not finite.
 constexpr std::size_t none_not_finite = std::numeric_limits<std::size_t>::max();
 
-/// \throws std::invalid_argument that names the first point with a coordinate that is not finite, if
-///         there is one
+/// \throws std::invalid_argument that names the first point with a coordinate that is not finite,
+///         if there is one
 inline void check_finite(std::size_t first_not_finite)
 {
   if(first_not_finite != none_not_finite)

@@ -109,8 +109,9 @@ struct Normalized_points
     return result;
   }
 
-  /// Calls `visit(k, i, point)` for each point in the normalised box, the `i`-th of the cloud in the
-  /// `k`-th of `parts` parts. Parts are visited concurrently, the points of a part in order. O(n).
+  /// Calls `visit(k, i, point)` for each point in the normalised box, the `i`-th of the cloud in
+  /// the `k`-th of `parts` parts. Parts are visited concurrently, the points of a part in order.
+  /// O(n).
   template <typename Visit>
   void visit_parts(std::size_t parts, const Visit& visit, Concurrency concurrency,
                    const Progress& progress) const

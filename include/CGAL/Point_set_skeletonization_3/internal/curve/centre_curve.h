@@ -100,7 +100,8 @@ private:
   Drawn not_drawn(std::size_t v) const
   {
     const Skeleton_graph::Vertex& vertex = graph_.vertices[v];
-    return {vertex.position, start_[v].position, least_weight, std::max(vertex.radius, vertex.resolution)};
+    return {vertex.position, start_[v].position, least_weight,
+            std::max(vertex.radius, vertex.resolution)};
   }
 
   /// The target of a vertex.

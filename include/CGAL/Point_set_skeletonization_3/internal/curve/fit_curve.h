@@ -150,10 +150,10 @@ private:
   }
 
   /// Raises radii to the lower quartile of the distances of surface points, or a share of it if the
-  /// strength of the noise is below one half. With noise, some patch is always nearer than the surface, and none is left around a
-  /// limb as thin as the noise. A vertex has few points, so those of adjacent vertices count too,
-  /// except for tips, whose points lie in front. Not used without noise: cross-sections need not be
-  /// round.
+  /// strength of the noise is below one half. With noise, some patch is always nearer than the
+  /// surface, and none is left around a limb as thin as the noise. A vertex has few points, so
+  /// those of adjacent vertices count too, except for tips, whose points lie in front. Not used
+  /// without noise: cross-sections need not be round.
   void correct_radii(const std::vector<std::vector<Vector3>>& points)
   {
     const auto adjacency = graph_.adjacency();

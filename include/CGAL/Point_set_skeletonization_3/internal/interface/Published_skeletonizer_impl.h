@@ -112,7 +112,10 @@ std::size_t Published_skeletonizer::number_of_components() const
 }
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
-std::size_t Published_skeletonizer::number_of_samples() const { return state_->projected.samples.size(); }
+std::size_t Published_skeletonizer::number_of_samples() const
+{
+  return state_->projected.samples.size();
+}
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
 std::size_t Published_skeletonizer::number_of_iterations() const

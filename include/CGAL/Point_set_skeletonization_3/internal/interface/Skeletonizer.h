@@ -43,8 +43,8 @@ public:
   /// \throws std::invalid_argument that names the first point with a coordinate that is not finite
   void fit_mixture(const Point_source& points, const Progress& progress);
 
-  /// Stage 1 for the moments of a builder, which left out some points far away. O(cells) per step of
-  /// the search for the width.
+  /// Stage 1 for the moments of a builder, which left out some points far away. O(cells) per step
+  /// of the search for the width.
   void fit_mixture(const Moment_grid& points, const Normalization& normalization,
                    std::size_t number_of_far);
 

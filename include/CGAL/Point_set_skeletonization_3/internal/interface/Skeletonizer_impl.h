@@ -233,7 +233,8 @@ void Skeletonizer::set_samples(const Plain_samples& plain)
     }
     consolidated.components[found->second].weight += p.weight;
     consolidated.merged_into.push_back(found->second);
-    measured.push_back({p.weight, state.normalization.to_unit(to_vector(p.point)), Matrix3::Zero()});
+    measured.push_back(
+      {p.weight, state.normalization.to_unit(to_vector(p.point)), Matrix3::Zero()});
   }
   Samples samples;
   for(const Plain_sample& sample : plain.samples) {

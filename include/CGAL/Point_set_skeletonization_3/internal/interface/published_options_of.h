@@ -54,16 +54,25 @@ Published_options published_options_of(const NamedParameters& np)
     if(value)
       option = *value;
   };
-  set(result.projection.initial_kernel_radius, parameter_of<std::optional<double>>(np, internal_np::published_h_0));
-  set(result.projection.kernel_growth, parameter_of<std::optional<double>>(np, internal_np::published_delta_h));
-  set(result.projection.repulsion, parameter_of<std::optional<double>>(np, internal_np::published_mu));
-  set(result.projection.number_of_samples, parameter_of<std::optional<std::size_t>>(np, internal_np::published_samples));
+  set(result.projection.initial_kernel_radius,
+      parameter_of<std::optional<double>>(np, internal_np::published_h_0));
+  set(result.projection.kernel_growth,
+      parameter_of<std::optional<double>>(np, internal_np::published_delta_h));
+  set(result.projection.repulsion,
+      parameter_of<std::optional<double>>(np, internal_np::published_mu));
+  set(result.projection.number_of_samples,
+      parameter_of<std::optional<std::size_t>>(np, internal_np::published_samples));
   set(result.em.alpha, parameter_of<std::optional<double>>(np, internal_np::published_alpha));
-  set(result.em.number_of_levels, parameter_of<std::optional<std::size_t>>(np, internal_np::published_levels));
-  set(result.points.flatness, parameter_of<std::optional<double>>(np, internal_np::published_flatness));
-  set(result.samples.flatness, parameter_of<std::optional<double>>(np, internal_np::published_sample_flatness));
-  set(result.branches.alpha_min, parameter_of<std::optional<double>>(np, internal_np::published_alpha_min));
-  set(result.branches.b_min, parameter_of<std::optional<std::size_t>>(np, internal_np::published_b_min));
+  set(result.em.number_of_levels,
+      parameter_of<std::optional<std::size_t>>(np, internal_np::published_levels));
+  set(result.points.flatness,
+      parameter_of<std::optional<double>>(np, internal_np::published_flatness));
+  set(result.samples.flatness,
+      parameter_of<std::optional<double>>(np, internal_np::published_sample_flatness));
+  set(result.branches.alpha_min,
+      parameter_of<std::optional<double>>(np, internal_np::published_alpha_min));
+  set(result.branches.b_min,
+      parameter_of<std::optional<std::size_t>>(np, internal_np::published_b_min));
   set(result.branches.d_max, parameter_of<std::optional<double>>(np, internal_np::published_d_max));
   result.projection.halts = parameter_of<bool>(np, internal_np::published_halt);
   if(result.projection.halts)

@@ -175,13 +175,13 @@ private:
   std::vector<boost::interprocess::mapped_region> chunks_;
 };
 
-/// Adds the points to the cells of `level`, and returns the cell of each point; for one far away the
-/// number of cells. O(points).
+/// Adds the points to the cells of `level`, and returns the cell of each point; for one far away
+/// the number of cells. O(points).
 inline Cells_of_points add_points(const Normalized_points& points, Grid_level& level,
                                   Concurrency concurrency, const Progress& progress)
 {
   // The moments of parts are added in order: the result does not depend on the number of threads.
-  constexpr std::size_t worth_a_part = 16; // points of a cell: so parts need less memory than points
+  constexpr std::size_t worth_a_part = 16; // points of a cell: parts need less memory than points
   std::vector<std::vector<Moments>> parts(
     std::min(cloud_parts, 1 + points.bulk_size() / (worth_a_part * level.cells.size())));
   Cells_of_points cell_of_point(points.size());

@@ -78,8 +78,8 @@ inline Linked_samples link_samples(const Surface& surface, const Samples& sample
   Surface_quotient quotient =
     surface_quotient(surface.patches, samples, overlaps, separators, concurrency);
   const std::vector<double> evidence = limb_evidence(surface, samples, quotient, concurrency);
-  quotient.graph = with_loops_opened(std::move(quotient.graph), evidence,
-                                     options.known.is_tree ? infinity : options.curve.loop_evidence);
+  const double least = options.known.is_tree ? infinity : options.curve.loop_evidence;
+  quotient.graph = with_loops_opened(std::move(quotient.graph), evidence, least);
   const Pruned_quotient pruned =
     prune(quotient, surface.patches, surface.components, surface.groups, options.curve);
   progress(0.7);

@@ -72,8 +72,8 @@ struct Hierarchical_em_options
 /// The projection as published (Sec. 3.1 and 3.2).
 struct Published_projection_options
 {
-  /// Number of samples |X|, at least 1. The paper says "a small subset"; unless given, a twentieth of
-  /// the points as in Huang et al. (2013), but at least 500, so that each limb gets some.
+  /// Number of samples |X|, at least 1. The paper says "a small subset"; unless given, a twentieth
+  /// of the points as in Huang et al. (2013), but at least 500, so that each limb gets some.
   std::optional<std::size_t> number_of_samples;
 
   /// h^(0), in diagonals of the bounding box, in [1e-4, 1e4]; unless given, 2 / |P|^(1/3), which is
@@ -92,7 +92,8 @@ struct Published_projection_options
   bool halts = false;
 
   /// A sample has settled where the samples around it lie along a curve, with an anisotropy sigma
-  /// (Eq. 12) of at least this, in [1/3, 1]; 0.7 is more than twice as much variance along as across.
+  /// (Eq. 12) of at least this, in [1/3, 1]; 0.7 is more than twice as much variance along as
+  /// across.
   double settled_anisotropy = 0.7;
 
   /// And where it moves by less than this, in kernel radii h per growth of h^(0): samples move
@@ -129,17 +130,19 @@ struct Published_projection_options
 /// Thresholds of Algorithm 1, named as in the paper.
 struct Branch_detection_options
 {
-  /// Least angle between adjacent segments of a branch; degrees, in [0, 180), where 180 is straight.
+  /// Least angle between adjacent segments of a branch; degrees, in [0, 180), where 180 is
+  /// straight.
   double alpha_min = 90;
 
   /// Least number of components of a branch, >= 2.
   std::size_t b_min = 5;
 
-  /// Greatest distance of adjacent components of a branch, > 0, in diagonals of the bounding box: the
-  /// "maximum Euclidean distance between components". Where the closest free components are further
-  /// apart, detection ends; a branch does not grow further than that. The paper's 0.1 % of the
-  /// diagonal is below the spacing of any mixture of usual size, so that no branch would start. Less
-  /// than 0.1 loses limbs; more than 0.15 finds hardly any further, and branches jump between limbs.
+  /// Greatest distance of adjacent components of a branch, > 0, in diagonals of the bounding box:
+  /// the "maximum Euclidean distance between components". Where the closest free components are
+  /// further apart, detection ends; a branch does not grow further than that. The paper's 0.1 % of
+  /// the diagonal is below the spacing of any mixture of usual size, so that no branch would start.
+  /// Less than 0.1 loses limbs; more than 0.15 finds hardly any further, and branches jump between
+  /// limbs.
   double d_max = 0.15;
 
   void check() const

@@ -48,7 +48,8 @@ struct Attraction_kernel
   }
 };
 
-/// Returns exp(-x), of one value as it is, for the tests, and of packets without what is negligible.
+/// Returns exp(-x), of one value as it is, for the tests, and of packets without what is
+/// negligible.
 inline Eigen::Array<double, 1, 1> attraction_decay(const Eigen::Array<double, 1, 1>& x)
 {
   return (-x).exp();
@@ -58,7 +59,8 @@ BOOST_FORCEINLINE Packet_values attraction_decay(const Packet_values& x)
   return decay(x, negligible);
 }
 
-/// One Gaussian of the kernel for several samples; `Values` is an Eigen array with a value for each.
+/// One Gaussian of the kernel for several samples; `Values` is an Eigen array with a value for
+/// each.
 template <typename Values>
 struct Kernel_term
 {
@@ -104,8 +106,8 @@ struct Pull
   Values weight = Values::Zero();
   Values x = Values::Zero(), y = Values::Zero(), z = Values::Zero();
 
-  /// Adds a Gaussian at d = mu - q from the samples, for one term of the kernel. With its variance v
-  /// and S = Sigma + v I it has the weight
+  /// Adds a Gaussian at d = mu - q from the samples, for one term of the kernel. With its variance
+  /// v and S = Sigma + v I it has the weight
   ///   c = amplitude w v^(3/2) det(S)^(-1/2) exp(-d^T S^-1 d / 2)
   /// and pulls to q + v S^-1 d.
   void add(const Attractor<typename Values::Scalar>& a, const Values& dx, const Values& dy,
@@ -134,8 +136,8 @@ struct Pull
 /// The components of a mixture for packets of samples, in single precision. Where a Gaussian of the
 /// kernel is wide, components close to each other count as one, with their weight, mean and
 /// covariance: the error is of third order in their distances. If these are at most sqrt(2)
-/// deviations, the median is off by some 2e-4 h, 1e-3 h at most. So the number of terms hardly grows
-/// with the kernel.
+/// deviations, the median is off by some 2e-4 h, 1e-3 h at most. So the number of terms hardly
+/// grows with the kernel.
 class Attractors
 {
 public:

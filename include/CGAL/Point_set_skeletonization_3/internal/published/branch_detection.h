@@ -28,8 +28,8 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Returns the angle at `b` between the segments to `a` and to `c`, in degrees, in [0, 180]; 180 if a
-/// segment has no length.
+/// Returns the angle at `b` between the segments to `a` and to `c`, in degrees, in [0, 180]; 180 if
+/// a segment has no length.
 inline double angle_at(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const Vector3 u = a - b, v = c - b;

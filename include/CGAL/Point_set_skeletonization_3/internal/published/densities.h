@@ -54,8 +54,8 @@ inline Counted_points grouped(const Box_tree& tree, double diagonal)
 }
 
 /// Returns the density at each point for one kernel radius, v of Eq. 7: 1 + sum of theta over the
-/// other points. Points within a quarter of the radius, one and a half standard deviations of theta,
-/// count as one: that widens the kernel by some 4 %. Permuted points give the same densities
+/// other points. Points within a quarter of the radius, one and a half standard deviations of
+/// theta, count as one: that widens the kernel by some 4 %. Permuted points give the same densities
 /// permuted, bit by bit. O(n log n), however many points a kernel has.
 inline std::vector<double> densities(const std::vector<Vector3>& points, double kernel_radius,
                                      Concurrency concurrency)

@@ -33,8 +33,8 @@ struct L1_sample
   double radius = 0; ///< Distance to the nearest component.
 };
 
-/// Moves the samples once by Eq. 2 and grows their kernels by Eq. 10, all from the positions before.
-/// Returns the number of samples that have settled.
+/// Moves the samples once by Eq. 2 and grows their kernels by Eq. 10, all from the positions
+/// before. Returns the number of samples that have settled.
 inline std::size_t iterate_projection(std::vector<L1_sample>& samples, const Attractors& attractors,
                                double growth, const Published_projection_options& options,
                                Concurrency concurrency)
@@ -71,8 +71,8 @@ struct Projected_samples
   std::size_t iterations = 0;
 };
 
-/// Returns the samples after the iterations, or earlier if they halt. O(n (n + m)) per iteration for
-/// n samples and m components.
+/// Returns the samples after the iterations, or earlier if they halt. O(n (n + m)) per iteration
+/// for n samples and m components.
 inline Projected_samples project_as_published(std::vector<L1_sample> samples,
                                               const Gaussians& mixture,
                                               const Published_projection_options& options,

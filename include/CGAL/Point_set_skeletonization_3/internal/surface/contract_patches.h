@@ -27,8 +27,8 @@ namespace Point_set_skeletonization_3 {
 namespace internal {
 
 /// Returns the connected pieces of each group: a few components are flat together even if they are
-/// on two sheets. On a line of points, which is flat at any length, every component is a piece. `fine`
-/// are the patches of the components. O(adjacent pairs).
+/// on two sheets. On a line of points, which is flat at any length, every component is a piece.
+/// `fine` are the patches of the components. O(adjacent pairs).
 inline Patch_groups connected_groups(const Patch_groups& groups, const Patches& fine)
 {
   Union_find sets(fine.size());

@@ -25,8 +25,8 @@ inline bool are_opposite_sheets(const Patch& a, const Patch& b, const Surface_op
          std::abs(b.normal.dot(d)) * b.planarity > options.along_normal;
 }
 
-/// Whether two oriented patches face each other, through the solid of a thin limb or through the air
-/// between two limbs: normals are opposite, and each lies above the other or each below it.
+/// Whether two oriented patches face each other, through the solid of a thin limb or through the
+/// air between two limbs: normals are opposite, and each lies above the other or each below it.
 inline bool face_each_other(const Patch& a, const Patch& b, const Surface_options& options)
 {
   const Vector3 d = b.mean - a.mean;

@@ -199,8 +199,9 @@ private:
   std::vector<int> level_of_; ///< Level of the whole cell of a component, in Morton order.
 };
 
-/// Returns groups of components that are flat together, see `Flat_merging`: each one is alone if `cell_size` is 0 or too small for an octree. `flatness` is the greatest variance across a
-/// patch relative to that of a cell filled with points. O(n log n). \pre there is a component
+/// Returns groups of components that are flat together, see `Flat_merging`: each one is alone if
+/// `cell_size` is 0 or too small for an octree. `flatness` is the greatest variance across a patch
+/// relative to that of a cell filled with points. O(n log n). \pre there is a component
 inline Patch_groups flat_groups(const Gaussians& gaussians, double cell_size, double flatness)
 {
   constexpr double least_cell_size = 1.0 / (1 << (octree_bits - 2)); // bounding box diagonals
