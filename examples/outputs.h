@@ -51,7 +51,11 @@ inline const View_format* view_format_of(const std::string& filename)
 /// All endings that `-o` takes, as a list in a sentence.
 inline std::string output_endings()
 {
-  return ".html, .png, .svg, " + CGAL::Point_set_skeletonization_3::internal::skeleton_endings();
+  std::string result;
+  for(const View_format& format : view_formats)
+    if(format.write != nullptr)
+      result += std::string(format.ending) + ", ";
+  return result + CGAL::Point_set_skeletonization_3::internal::skeleton_endings();
 }
 
 /// \throw std::runtime_error if `-o` does not take a file of this name
