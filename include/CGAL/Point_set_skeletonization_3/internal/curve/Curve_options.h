@@ -33,9 +33,12 @@ struct Curve_options
   /// Radii; widest gap between points that is bridged along a limb: twice its thickness. >= 0.
   double widest_gap = 4;
 
-  /// Resolutions; limbs of smaller radius have no reliable radius, and count as this thick. They
-  /// have no reliable direction either: gaps of `widest_gap` resolutions are bridged in any. >= 0.
+  /// Resolutions; limbs of smaller radius have no reliable radius, and count as this thick. >= 0.
   double thin_limb = 2;
+
+  /// Resolutions; widest gap between points that is bridged in any direction, as limbs so thin have
+  /// no reliable one: on a surface, points are not further apart. >= 0.
+  double thin_gap = 3;
 
   /// Least cosine between the direction of a tip and the gap, in (0, 1]: 37 degrees, which limbs
   /// bend by at most.
@@ -57,7 +60,8 @@ struct Curve_options
     CGAL_precondition(stray_share >= 0 && stray_share < 1);
     CGAL_precondition(loop_evidence >= 0 && loop_evidence <= 1);
     CGAL_precondition(slenderness >= 0 && least_points >= 0);
-    CGAL_precondition(widest_gap >= 0 && thin_limb >= 0 && aligned > 0 && aligned <= 1);
+    CGAL_precondition(widest_gap >= 0 && thin_limb >= 0 && thin_gap >= 0);
+    CGAL_precondition(aligned > 0 && aligned <= 1);
     CGAL_precondition(step > 0 && half_width > 0 && stiffness >= 0);
   }
 
@@ -71,6 +75,7 @@ struct Curve_options
     visit("least_points", least_points);
     visit("widest_gap", widest_gap);
     visit("thin_limb", thin_limb);
+    visit("thin_gap", thin_gap);
     visit("aligned", aligned);
     visit("step", step);
     visit("half_width", half_width);

@@ -30,23 +30,20 @@ class Bridging
 {
 public:
   /// `surface[v]` are the surface points of vertex v. Refers to graph and options.
-  Bridging(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
+  Bridging(Skeleton_graph& graph, std::vector<std::vector<Vector3>> surface,
            const Curve_options& options)
       : options_(options)
       , graph_(graph)
       , adjacency_(graph.adjacency())
+      , surface_(std::move(surface))
+      , extent_(graph.vertices.size(), 0)
       , sets_(graph.vertices.size())
   {
     for(const Skeleton_graph::Edge& e : graph.edges)
       sets_.join(e.first, e.second);
-    reach_.resize(graph.vertices.size(), 0);
-    for(std::size_t v = 0; v < reach_.size(); ++v)
-      if(adjacency_[v].size() == 1)
-        reach_[v] = reach_beyond(graph.vertices[v].position,
-                                 tip_direction(v, graph, adjacency_), surface[v]);
-      else if(adjacency_[v].empty()) // in all directions
-        for(const Vector3& p : surface[v])
-          reach_[v] = std::max(reach_[v], (p - graph.vertices[v].position).norm());
+    for(std::size_t v = 0; v < surface_.size(); ++v)
+      for(const Vector3& p : surface_[v])
+        extent_[v] = std::max(extent_[v], (p - graph.vertices[v].position).norm());
   }
 
   /// Adds plausible bridges, the shorter first. O(tips times vertices).
@@ -97,16 +94,30 @@ private:
     return tip_direction(end, graph_, adjacency_).dot(gap) > options_.aligned * gap.norm();
   }
 
+  /// Whether the distance between the surface points of two vertices is less than `most`; without
+  /// points, that of the vertices.
+  bool is_gap_below(double most, std::size_t v, std::size_t w) const
+  {
+    if(surface_[v].empty() || surface_[w].empty())
+      return distance(v, w) < most;
+    if(distance(v, w) - extent_[v] - extent_[w] >= most)
+      return false;
+    for(const Vector3& p : surface_[v])
+      for(const Vector3& q : surface_[w])
+        if((p - q).squaredNorm() < most * most)
+          return true;
+    return false;
+  }
+
   /// Whether a bridge from a tip to vertex `w` is plausible.
   bool is_plausible(std::size_t end, std::size_t w) const
   {
     const Skeleton_graph::Vertex &tip = graph_.vertices[end], &other = graph_.vertices[w];
     const double thin = options_.thin_limb * tip.resolution;
-    const double gap = distance(end, w) - reach_[end] - reach_[w]; // without points
-    if(tip.radius < thin && gap < options_.widest_gap * tip.resolution)
+    if(tip.radius < thin && is_gap_below(options_.thin_gap * tip.resolution, end, w))
       return true;
-    return gap < options_.widest_gap * std::max({tip.radius, other.radius, thin}) &&
-           points_at(end, w) && (adjacency_[w].size() != 1 || points_at(w, end));
+    return points_at(end, w) && (adjacency_[w].size() != 1 || points_at(w, end)) &&
+           is_gap_below(options_.widest_gap * std::max({tip.radius, other.radius, thin}), end, w);
   }
 
   void add(std::vector<Bridge> bridges)
@@ -119,7 +130,8 @@ private:
   const Curve_options& options_;
   Skeleton_graph& graph_;
   std::vector<std::vector<std::size_t>> adjacency_; ///< Without the bridges.
-  std::vector<double> reach_; ///< Of the points beyond each vertex that is a tip, or alone.
+  std::vector<std::vector<Vector3>> surface_;
+  std::vector<double> extent_; ///< Greatest distance of the surface points of each vertex.
   Union_find sets_;
 };
 
