@@ -3,6 +3,9 @@
 
 """Headless Chromium, for the tests of pages."""
 
+import tempfile
+import unittest
+
 from selenium import webdriver
 from selenium.webdriver.common.utils import is_connectable
 
@@ -30,3 +33,14 @@ def start_browser(profile):
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     service = Service("/usr/bin/chromedriver")
     return webdriver.Chrome(service=service, options=options)
+
+
+class BrowserTest(unittest.TestCase):
+    """Has a browser of its own, with an empty profile, for all its tests."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
+        cls.addClassCleanup(cls.profile.cleanup)
+        cls.browser = start_browser(cls.profile.name)
+        cls.addClassCleanup(cls.browser.quit)

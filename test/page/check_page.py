@@ -7,7 +7,6 @@ of a large cloud, the second of a single point"""
 import hashlib
 import pathlib
 import sys
-import tempfile
 import unittest
 
 from selenium.webdriver.common.action_chains import ActionChains
@@ -15,17 +14,10 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.support.ui import Select, WebDriverWait
 
 sys.path.append(str(pathlib.Path(__file__).parents[1]))
-from browser import start_browser
+from browser import BrowserTest
 
 
-class PageTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
-        cls.addClassCleanup(cls.profile.cleanup)
-        cls.browser = start_browser(cls.profile.name)
-        cls.addClassCleanup(cls.browser.quit)
-
+class PageTest(BrowserTest):
     def setUp(self):
         self.open(self.page)
 

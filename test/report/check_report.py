@@ -5,7 +5,6 @@ import json
 import pathlib
 import re
 import sys
-import tempfile
 import unittest
 
 from selenium.webdriver.common.action_chains import ActionChains
@@ -14,20 +13,17 @@ from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import Select, WebDriverWait
 
 sys.path.append(str(pathlib.Path(__file__).parents[1]))
-from browser import start_browser
+from browser import BrowserTest
 
 PAPER = pathlib.Path(__file__).parents[2] / "benchmark/report/paper_table_1.json"
 STATUS = {"failed": "failed", "time_limit": "time limit", "invalid": "invalid result",
           "unreadable": "unreadable"}
 
 
-class ReportTest(unittest.TestCase):
+class ReportTest(BrowserTest):
     @classmethod
     def setUpClass(cls):
-        cls.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
-        cls.addClassCleanup(cls.profile.cleanup)
-        cls.browser = start_browser(cls.profile.name)
-        cls.addClassCleanup(cls.browser.quit)
+        super().setUpClass()
         text = cls.report.read_text(encoding="utf-8")
         cls.rows = json.loads(re.search(r'id="results">(.*?)</script>', text, re.S)[1])["rows"]
 
