@@ -141,8 +141,7 @@ public:
       fit.linearity = std::max(0.0, 1 - 4 * variance[1] / variance[2]);
     fit.thickness = std::sqrt(variance[0]);
     fit.density = sum[0] / (radius_ * radius_);
-    // A line, up to the rounding of eigenvalues in closed form, has no normal: its sphericity stays
-    // 1.
+    // A line has no normal: its sphericity stays 1. Eigenvalues in closed form are that inexact.
     if(variance[1] > 1e-6 * variance[2])
       fit.sphericity = variance[0] / variance[1];
     return fit;

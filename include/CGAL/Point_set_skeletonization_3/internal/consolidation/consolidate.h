@@ -417,6 +417,7 @@ inline Consolidated_mixture consolidate(const Gaussians& mixture, double cell_si
     return then(consolidation, options.resolution * consolidation.measure());
   };
   return measured(mixture, [&](Consolidation& fine, double coarser) {
+    // Cells that are hardly wider would only move the borders between the components.
     constexpr double worthwhile = 1.2;
     if(!(cell_size > 0 && coarser > worthwhile * cell_size))
       return fine.run(cell_size);
