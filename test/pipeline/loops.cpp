@@ -89,3 +89,56 @@ TEST_CASE("A screw hole in a plate is a loop")
     CHECK(counts.cycles == 1);
   }
 }
+
+TEST_CASE("Thin limbs that cross make loops in a frame, not in a tree")
+{
+  // Lines of points: nothing local tells a joint from a contact. What ends freely is a tree.
+  constexpr double spacing = 0.01;
+  using Line = std::pair<Vector, Vector>;
+  const auto scattered = [&](const std::vector<Line>& lines, double width, unsigned int seed) {
+    Random random(seed);
+    const auto across = [&] { return width * random.uniform(-1, 1); };
+    std::vector<Vector> points;
+    for(const Line& line : lines) {
+      const Vector way = line.second - line.first;
+      for(double at = 0; at <= way.norm(); at += spacing)
+        points.push_back(line.first + at * way.normalized() +
+                         Vector(across(), across(), across()));
+    }
+    return points;
+  };
+  const double width = GENERATE(0.0, 0.3 * spacing, 0.6 * spacing);
+  std::vector<Line> frame;
+  for(const double at : {0.0, 0.5, 1.0}) {
+    frame.push_back({Vector(at, 0, 0), Vector(at, 1, 0)});
+    frame.push_back({Vector(0, at, 0), Vector(1, at, 0)});
+  }
+  const std::vector<Line> tree = {{Vector(0, 0, 0), Vector(0, 1, 0)},
+                                  {Vector(0, 0.2, 0), Vector(0.8, 1, 0)},
+                                  {Vector(0, 0.8, 0), Vector(0.8, 0.4, 0)}, // touches the former
+                                  {Vector(0, 0.5, 0), Vector(-0.5, 0.8, 0)},
+                                  {Vector(0, 0.6, 0), Vector(0, 0.8, 0.5)},
+                                  {Vector(0, 0.4, 0), Vector(0, 0.6, -0.5)}};
+  for(const unsigned int seed : seeds) {
+    CAPTURE(seed, width);
+    const Graph_counts counts = counts_of(scattered(frame, width, seed));
+    CHECK(counts.components == 1);
+    CHECK(counts.cycles == 4);
+    CHECK(counts.ends == 0);
+    const Graph_counts tree_counts = counts_of(scattered(tree, width, seed));
+    CHECK(tree_counts.components == 1);
+    CHECK(tree_counts.cycles == 0);
+  }
+}
+
+TEST_CASE("A bare circle is a loop")
+{
+  std::vector<Vector> points;
+  constexpr int size = 2000;
+  for(int k = 0; k < size; ++k)
+    points.push_back(around(2 * shapes::pi * k / size));
+  const Graph_counts counts = counts_of(points);
+  CHECK(counts.components == 1);
+  CHECK(counts.cycles == 1);
+  CHECK(counts.ends == 0);
+}

@@ -294,8 +294,12 @@ TEST_CASE("A torus is cut all around, in disjoint rings, by any number of thread
   const Surface surface = surface_of(surfaces::torus.patches());
   const Samples samples = surfaces::samples_of(surface.patches);
   const Ball_overlaps overlaps = overlaps_of(surface, samples);
-  const std::vector<Local_separator> expected =
-    local_separators(surface, samples, overlaps, options, Concurrency::sequential);
+  const auto separators = [&](Concurrency concurrency) {
+    return local_separators(
+      separator_candidates(surface, samples, overlaps.pairs(), options, concurrency), surface,
+      samples, overlaps, options, concurrency);
+  };
+  const std::vector<Local_separator> expected = separators(Concurrency::sequential);
   CHECK(expected.size() >= 3);
   std::set<std::size_t> used;
   for(const Local_separator& separator : expected) {
@@ -304,8 +308,7 @@ TEST_CASE("A torus is cut all around, in disjoint rings, by any number of thread
       CHECK(used.insert(i).second);
   }
   for_threads([&](Concurrency concurrency) {
-    const std::vector<Local_separator> found =
-      local_separators(surface, samples, overlaps, options, concurrency);
+    const std::vector<Local_separator> found = separators(concurrency);
     REQUIRE(found.size() == expected.size());
     for(std::size_t s = 0; s < found.size(); ++s) {
       CHECK(found[s].patches == expected[s].patches);

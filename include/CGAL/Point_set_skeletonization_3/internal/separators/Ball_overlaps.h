@@ -125,6 +125,21 @@ public:
       const Medial_ball &a = balls[pairs_[k].a], &b = balls[pairs_[k].b];
       overlaps_[k] = a.radius > 0 && b.radius > 0 ? relative_overlap(a, b) : unknown;
     });
+    for(std::size_t k = 0; k < pairs_.size(); ++k)
+      if(!(balls[pairs_[k].a].radius > 0 && balls[pairs_[k].b].radius > 0))
+        unknown_.push_back(k);
+  }
+
+  /// Whether a pair has a patch without ball.
+  bool has_unknown() const { return !unknown_.empty(); }
+
+  /// The same with another overlap of such pairs, in [0, 1].
+  Ball_overlaps with_unknown(double overlap) const
+  {
+    Ball_overlaps result = *this;
+    for(std::size_t k : unknown_)
+      result.overlaps_[k] = overlap;
+    return result;
   }
 
   /// All pairs of adjacent patches, in lexicographic order.
@@ -140,6 +155,7 @@ private:
   double least_overlap_;
   std::vector<Patch_pair> pairs_;
   std::vector<double> overlaps_;
+  std::vector<std::size_t> unknown_; ///< Pairs with a patch that has no ball.
 };
 
 } // namespace internal

@@ -85,28 +85,39 @@ inline std::vector<Local_separator> grown_separators(const Patches& patches,
   return found;
 }
 
-/// Part 3a: returns separators that cut limbs, the shortest first, no patch on two of them. Of all
-/// separators at one place the shortest is the cross-section. O(n log n) in practice.
-inline std::vector<Local_separator> local_separators(const Surface& surface, const Samples& samples,
-                                                     const Ball_overlaps& overlaps,
-                                                     const Separator_options& options,
-                                                     Concurrency concurrency)
+/// Part 3a: returns candidates for separators, the shortest first: of all separators at one place
+/// the shortest is the cross-section. O(n log n) in practice.
+/// \param pairs adjacent patches, `Ball_overlaps::pairs()`
+inline std::vector<Local_separator> separator_candidates(const Surface& surface,
+                                                         const Samples& samples,
+                                                         const std::vector<Patch_pair>& pairs,
+                                                         const Separator_options& options,
+                                                         Concurrency concurrency)
 {
   std::vector<std::size_t> seeds;
-  std::optional<Patch_graph> graph, limbs;
+  std::optional<Patch_graph> graph;
   parallel_invoke(
     concurrency, [&] { seeds = separator_seeds(samples, options, concurrency); },
-    [&] {
-      graph.emplace(surface.patches, overlaps.pairs());
-      limbs.emplace(surface.patches, overlaps.pairs(),
-                    [&](std::size_t k) { return overlaps.are_in_one_limb(k); });
-    });
+    [&] { graph.emplace(surface.patches, pairs); });
   std::vector<Local_separator> found =
     grown_separators(surface.patches, samples, *graph, seeds, options, concurrency);
   std::sort(found.begin(), found.end(), [](const Local_separator& a, const Local_separator& b) {
     return a.length != b.length ? a.length < b.length : a.patches < b.patches;
   });
-  return choose_separators(std::move(found), surface, samples, *limbs, options, concurrency);
+  return found;
+}
+
+/// Part 3a: returns those of the candidates that cut limbs, in their order, no patch on two of them.
+/// O(n log n) in practice.
+inline std::vector<Local_separator> local_separators(std::vector<Local_separator> candidates,
+                                                     const Surface& surface, const Samples& samples,
+                                                     const Ball_overlaps& overlaps,
+                                                     const Separator_options& options,
+                                                     Concurrency concurrency)
+{
+  const Patch_graph limbs(surface.patches, overlaps.pairs(),
+                          [&](std::size_t k) { return overlaps.are_in_one_limb(k); });
+  return choose_separators(std::move(candidates), surface, samples, limbs, options, concurrency);
 }
 
 } // namespace internal

@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PIPELINE_LIMB_NETWORK_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PIPELINE_LIMB_NETWORK_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/limb_evidence.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/open_loops.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
+#include <CGAL/Point_set_skeletonization_3/internal/pipeline/Linking_options.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Ball_overlaps.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Local_separator.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/local_separators.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
+
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// The limbs of a shape and how they are connected.
+struct Limb_network
+{
+  Surface_quotient quotient;
+  Pruned_quotient pruned;
+};
+
+/// Returns the network of limbs that separators cut a surface into. O(n log n) in practice.
+/// \param candidates from `separator_candidates()`
+/// \param least_evidence of a loop; those with less are opened
+inline Limb_network limb_network(const Surface& surface, const Samples& samples,
+                                 const Ball_overlaps& overlaps,
+                                 const std::vector<Local_separator>& candidates,
+                                 double least_evidence, const Linking_options& options,
+                                 Concurrency concurrency)
+{
+  const std::vector<Local_separator> separators =
+    local_separators(candidates, surface, samples, overlaps, options.separators, concurrency);
+  Limb_network result;
+  result.quotient = surface_quotient(surface.patches, samples, overlaps, separators, concurrency);
+  const std::vector<double> evidence =
+    limb_evidence(surface, samples, result.quotient, concurrency);
+  result.quotient.graph =
+    with_loops_opened(std::move(result.quotient.graph), evidence, least_evidence);
+  result.pruned = prune(result.quotient, surface.patches, surface.components, surface.groups,
+                        options.curve);
+  return result;
+}
+
+/// Whether a network has more free ends than loops. O(n).
+inline bool has_more_tips_than_loops(const Skeleton_graph& graph)
+{
+  std::size_t tips = 0, loops = 0;
+  Union_find sets(graph.vertices.size());
+  for(const Skeleton_graph::Edge& e : graph.edges)
+    loops += sets.join(e.first, e.second) ? 0 : 1;
+  for(const std::vector<std::size_t>& neighbors : graph.adjacency())
+    tips += neighbors.size() == 1 ? 1 : 0;
+  return tips > loops;
+}
+
+/// Part 3a to 3c: returns the network of limbs, by the better of two readings.
+///
+/// Where limbs are not resolved (twigs of a few points across, limbs as thin as the noise, open
+/// strips), nothing local tells the joint of two limbs from two that touch. As a frame, all adjacent
+/// patches without medial balls are in one limb, so that contacts close loops; as a tree, they are
+/// joined where nothing else joins them, and close none. What ends freely more often than it closes
+/// loops grows like a tree, and its loops are accidental contacts.
+/// O(n log n) in practice; the second reading only where there are patches without balls.
+inline Limb_network read_limbs(const Surface& surface, const Samples& samples,
+                               const Linking_options& options, Concurrency concurrency,
+                               const Progress& progress)
+{
+  constexpr double as_frame = 1, as_tree = 0; // overlap of unknown balls
+  const bool is_tree = options.known.is_tree;
+  const Ball_overlaps overlaps(surface, samples, is_tree ? as_tree : as_frame,
+                               options.separators.overlap, concurrency);
+  progress(0.1);
+  const std::vector<Local_separator> candidates =
+    separator_candidates(surface, samples, overlaps.pairs(), options.separators, concurrency);
+  progress(0.6);
+  const double least_evidence =
+    is_tree ? std::numeric_limits<double>::infinity() : options.curve.loop_evidence;
+  Limb_network network = limb_network(surface, samples, overlaps, candidates, least_evidence,
+                                      options, concurrency);
+  progress(0.8);
+  if(!is_tree && overlaps.has_unknown() && has_more_tips_than_loops(network.pruned.graph))
+    network = limb_network(surface, samples, overlaps.with_unknown(as_tree), candidates,
+                           least_evidence, options, concurrency);
+  progress(1);
+  return network;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PIPELINE_LIMB_NETWORK_H
