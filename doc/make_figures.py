@@ -59,8 +59,8 @@ def frame(axes, title=""):
     axes.set_title(title, fontsize=8 if len(title) < 24 else 6.5)
 
 
-def save(figure, folder, name):
-    figure.savefig(folder / name, dpi=160, bbox_inches="tight", pad_inches=0.05,
+def save(figure, folder, name, dpi=110):
+    figure.savefig(folder / name, dpi=dpi, bbox_inches="tight", pad_inches=0.05,
                    metadata={"Software": None})
     plt.close(figure)
 
@@ -127,12 +127,12 @@ def draw_approach(programs, folder):
     axes.add_collection(EllipseCollection(
         widths, heights, angles, units="xy", offsets=flat(mixture[:, :3]),
         transOffset=axes.transData, facecolors="none", edgecolors="#2e6f9e", linewidths=0.4))
-    save(figure, folder, "approach_1_mixture.png")
+    save(figure, folder, "approach_1_mixture.png", 160)
 
     figure, axes = start()
     draw_cloud(axes, flat(surface[:, :3]), s=1.5)
     draw_cloud(axes, flat(surface[:, 3:]), s=1.5, c="#2e6f9e")
-    save(figure, folder, "approach_2a_consolidated.png")
+    save(figure, folder, "approach_2a_consolidated.png", 160)
 
     figure, axes = start()
     draw_cloud(axes, flat(surface[:, 3:]))
@@ -141,14 +141,14 @@ def draw_approach(programs, folder):
     shown = axes.scatter(*flat(samples[:, 3:6]).T, s=3, c=samples[:, 6], cmap="plasma",
                          linewidths=0)
     figure.colorbar(shown, ax=axes, shrink=0.6, label="radius")
-    save(figure, folder, "approach_2c_samples.png")
+    save(figure, folder, "approach_2c_samples.png", 160)
 
     figure, axes = start()
     nearest = np.argmin(((samples[:, None, 3:6] - vertices[None]) ** 2).sum(2), 1)
     branch = branch_numbers(len(vertices), edges)[nearest]
     axes.scatter(*flat(samples[:, :3]).T, s=4, c=[BRANCHES[b % 20] for b in branch], linewidths=0)
     draw_graph(axes, flat(vertices), edges, "black")
-    save(figure, folder, "approach_3_skeleton.png")
+    save(figure, folder, "approach_3_skeleton.png", 160)
 
 
 def branch_numbers(size, edges):
