@@ -10,7 +10,7 @@ program="cmake ninja-build g++ libcgal-dev libeigen3-dev libtbb-dev libcli11-dev
 test="catch2 help2man python3-dev pybind11-dev python3-matplotlib python3-numpy python3-ezdxf python3-meshio
   python3-networkx"
 report="doxygen libjs-chart.js libjs-jquery libjs-jquery-tablesorter
-  chromium chromium-driver python3-selenium python3-vtk9"
+  chromium chromium-driver python3-selenium python3-vtk9 clang-tidy valgrind"
 case ${1-} in
   program) packages=$program ;;
   test) packages="$program $test" ;;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The branches of a tree: where each starts, how long and thick it is, at which angle it leaves.
+// The inventory of a tree: its height, its diameter at 1.3, and where each branch starts, of which
+// order it is, how long and thick, at which angle it leaves.
 // The tree is sampled from round limbs, with a trunk that is 0.3 thick at the height of 1.3.
 
 #include <CGAL/Curve_skeleton_3.h>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <fstream>
 #include <iostream>
 #include <vector>
 
@@ -78,4 +80,8 @@ int main()
   }
   std::cout << "height " << height << ", diameter at 1.3: " << diameter << '\n';
   CGAL::IO::write_curve_skeleton("branches_example.csv", skeleton); // a cylinder per edge
+  CGAL::IO::write_curve_skeleton("branches_example.ply", skeleton);
+  std::ofstream file("branches_example.xyz");
+  for(const Point& p : points)
+    file << p << '\n';
 }

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The three stages as functions, each of which takes what the one before left.
+// The three stages as functions, each of which takes what the one before left. What they leave is
+// written to files; doc/make_figures.py draws it.
 
 #include "read_points.h"
 
@@ -25,12 +26,22 @@ int main(int argc, char** argv)
       argc > 1 ? argv[1] : CGAL::data_file_path("points_3/kitten.xyz"));
 
   const auto mixture = CGAL::fit_gaussian_mixture(points);
+  std::ofstream stage_1("stage_1.txt"); // mean, covariance
+  for(const auto& component : mixture.levels.front()) {
+    stage_1 << component.mean;
+    for(const double entry : component.covariance)
+      stage_1 << ' ' << entry;
+    stage_1 << '\n';
+  }
 
   CGAL::Medial_samples_3<Kernel> samples;
   CGAL::compute_medial_samples(mixture, samples);
-  std::ofstream file("stage_by_stage_example.xyz");
+  std::ofstream surface("stage_2_surface.txt"); // before and after denoising
+  for(const auto& p : samples.surface)
+    surface << p.point << ' ' << p.denoised << '\n';
+  std::ofstream stage_2("stage_2_samples.txt"); // patch, sample, radius
   for(const auto& sample : samples.samples)
-    file << sample.point << '\n';
+    stage_2 << sample.patch.mean << ' ' << sample.point << ' ' << sample.radius << '\n';
 
   CGAL::Curve_skeleton_3<Kernel> skeleton;
   CGAL::link_medial_samples(samples, skeleton);

@@ -43,6 +43,18 @@ if(TARGET python_module)
            "${PROJECT_SOURCE_DIR}/examples/python_example.py")
   set_tests_properties(python python_example
                        PROPERTIES ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/python;MPLBACKEND=Agg")
+  # What pip installs, without pip.
+  add_test(NAME python_installed
+           COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/python/installed.sh" "${CMAKE_COMMAND}"
+                   "${PROJECT_BINARY_DIR}" "${Python_EXECUTABLE}")
+endif()
+
+# The figures of the manual, made again somewhere else.
+if(TARGET python_module AND TARGET skeletonize_point_set AND Point_set_skeletonization_3_COMPARISON
+   AND EXISTS "${CGAL_DATA_DIR}/meshes/elephant.off")
+  add_test(NAME figures
+           COMMAND "${Python_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/doc/make_figures.py"
+                   "${PROJECT_BINARY_DIR}" "${CMAKE_CURRENT_BINARY_DIR}/figures")
 endif()
 
 if(TARGET html_report)
@@ -56,6 +68,31 @@ endif()
 if(TARGET doc AND Point_set_skeletonization_3_COMPARISON)
   add_test(NAME doc COMMAND "${CMAKE_COMMAND}" --build "${PROJECT_BINARY_DIR}" --target doc)
   set_tests_properties(doc PROPERTIES RESOURCE_LOCK build_folder)
+endif()
+# What takes long, only where everything is tested: a linter, and a run in which each access to
+# memory is watched.
+if(Point_set_skeletonization_3_COMPARISON)
+  find_program(CLANG_TIDY clang-tidy)
+  if(CLANG_TIDY AND TARGET skeletonize_point_set)
+    file(GLOB readers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/examples/point_files/*.cpp")
+    foreach(part IN ITEMS library program)
+      set(files "${CMAKE_CURRENT_SOURCE_DIR}/headers/header_only.cpp")
+      if(part STREQUAL program)
+        set(files "${PROJECT_SOURCE_DIR}/examples/skeletonize_point_set.cpp" ${readers})
+      endif()
+      add_test(NAME tidy_${part} COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/tidy.sh" "${CLANG_TIDY}"
+                                         "${PROJECT_BINARY_DIR}" ${files})
+    endforeach()
+  else()
+    message(STATUS "Without the linter: there is no clang-tidy")
+  endif()
+  find_program(VALGRIND valgrind)
+  if(VALGRIND AND TARGET simple_example AND EXISTS "${CGAL_DATA_DIR}/meshes/elephant.off")
+    add_test(NAME memcheck COMMAND "${VALGRIND}" --quiet --error-exitcode=1 --leak-check=full
+                                   $<TARGET_FILE:simple_example>)
+  else()
+    message(STATUS "Without memcheck: there is no valgrind or no sample model")
+  endif()
 endif()
 add_test(NAME readme COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/readme.sh")
 set(projects guest missing_packages)

@@ -41,3 +41,6 @@ add_test(NAME wrong_calls
 
 # Both build in our own folder.
 set_tests_properties(headers_compile_alone wrong_calls PROPERTIES RESOURCE_LOCK build_folder)
+
+add_test(NAME license COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/headers/license.sh"
+                              "${CMAKE_CXX_COMPILER}")

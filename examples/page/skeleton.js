@@ -202,8 +202,45 @@ function resetView() {
   draw();
 }
 
+/// All of it, now.
 function draw() {
+  cloud.geometry.setDrawRange(0, Infinity);
   renderer.render(scene, camera);
+}
+
+/// While the view moves, only as many points of the cloud are drawn as leave 25 frames a second: a
+/// beginning, as they come in no order. Nothing is done while it rests.
+const motion =
+  { points: 50000, isRunning: false, isNew: false, isDrawn: false, tick: 0, changed: 0 };
+
+function move() {
+  motion.isNew = true;
+  motion.changed = performance.now();
+  if (!motion.isRunning)
+    requestAnimationFrame(moveOn);
+  motion.isRunning = true;
+}
+
+function moveOn(now) {
+  const [FAST, SLOW, REST] = [25, 40, 250]; // milliseconds
+  if (motion.isDrawn && now - motion.tick > SLOW)
+    motion.points = Math.max(2000, motion.points / 2);
+  else if (motion.isDrawn && now - motion.tick < FAST)
+    motion.points = Math.min(1.2 * motion.points, data.cloud.count);
+  motion.tick = now;
+  motion.isDrawn = motion.isNew;
+  motion.isRunning = now - motion.changed < REST;
+  if (!motion.isRunning) {
+    motion.isDrawn = false;
+    draw();
+    return;
+  }
+  if (motion.isNew) {
+    cloud.geometry.setDrawRange(0, Math.round(motion.points));
+    renderer.render(scene, camera);
+    motion.isNew = false;
+  }
+  requestAnimationFrame(moveOn);
 }
 
 function fit() {
@@ -315,14 +352,7 @@ colourSkeleton();
 colourCloud();
 if (renderer) {
   byId('view').append(renderer.domElement);
-  controls.addEventListener('change', draw);
-  // While the view turns, a part of a large cloud is enough; its points come in no order.
-  const WHILE_TURNING = 50000;
-  controls.addEventListener('start', () => cloud.geometry.setDrawRange(0, WHILE_TURNING));
-  controls.addEventListener('end', () => {
-    cloud.geometry.setDrawRange(0, Infinity);
-    draw();
-  });
+  controls.addEventListener('change', move);
   renderer.domElement.addEventListener('pointermove', showPicked);
   byId('reset').onclick = resetView;
   window.addEventListener('resize', fit);

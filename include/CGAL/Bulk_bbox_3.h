@@ -4,6 +4,8 @@
 #ifndef CGAL_BULK_BBOX_3_H
 #define CGAL_BULK_BBOX_3_H
 
+#include <CGAL/license/Point_set_skeletonization_3.h>
+
 #include <CGAL/Point_set_skeletonization_3/internal/core/Bulk.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/public_data.h>
 

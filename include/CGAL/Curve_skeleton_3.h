@@ -4,6 +4,8 @@
 #ifndef CGAL_CURVE_SKELETON_3_H
 #define CGAL_CURVE_SKELETON_3_H
 
+#include <CGAL/license/Point_set_skeletonization_3.h>
+
 #include <boost/graph/adjacency_list.hpp>
 
 #include <cstdint>

@@ -4,6 +4,8 @@
 #ifndef CGAL_GAUSSIAN_MIXTURE_3_H
 #define CGAL_GAUSSIAN_MIXTURE_3_H
 
+#include <CGAL/license/Point_set_skeletonization_3.h>
+
 #include <CGAL/Bbox_3.h>
 
 #include <array>

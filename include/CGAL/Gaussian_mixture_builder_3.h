@@ -4,6 +4,8 @@
 #ifndef CGAL_GAUSSIAN_MIXTURE_BUILDER_3_H
 #define CGAL_GAUSSIAN_MIXTURE_BUILDER_3_H
 
+#include <CGAL/license/Point_set_skeletonization_3.h>
+
 #include <CGAL/Bulk_bbox_3.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Normalization.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/named_parameters.h>
@@ -69,7 +71,11 @@ public:
 
   /// Adds the points of a range, which is read once. O(1) amortised per point.
   /// \param points the range
-  /// \param np `point_map`, as for `extract_l1_medial_skeleton()`
+  /// \param np
+  ///   \cgalNamedParamsBegin
+  ///     \cgalParamNBegin{point_map} \cgalParamDescription{gives the `Point_3` of an element}
+  ///       \cgalParamDefault{`Identity_property_map`} \cgalParamNEnd
+  ///   \cgalNamedParamsEnd
   /// \throws std::invalid_argument if a coordinate is not finite or a point outside the box. The
   ///         message names the point by its number in the order of insertion; the points before it
   ///         stay inserted.

@@ -4,6 +4,8 @@
 #ifndef CGAL_L1_MEDIAL_SAMPLE_3_H
 #define CGAL_L1_MEDIAL_SAMPLE_3_H
 
+#include <CGAL/license/Point_set_skeletonization_3.h>
+
 namespace CGAL {
 
 /// \ingroup PkgPointSetSkeletonization3Ref

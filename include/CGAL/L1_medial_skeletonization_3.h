@@ -4,6 +4,8 @@
 #ifndef CGAL_L1_MEDIAL_SKELETONIZATION_3_H
 #define CGAL_L1_MEDIAL_SKELETONIZATION_3_H
 
+#include <CGAL/license/Point_set_skeletonization_3.h>
+
 #include <CGAL/Curve_skeleton_3.h>
 #include <CGAL/Gaussian_mixture_3.h>
 #include <CGAL/Medial_sample_3.h>
@@ -157,29 +159,34 @@ public:
   /// \tparam SkeletonGraph `Skeleton`, or a BGL adjacency list whose vertex bundle has `.point` and
   ///         `.radius`. It may have `.indices`, a vector of integers; without, a large cloud takes
   ///         less memory.
+  /// \returns `false` if the callback cancelled; then `skeleton` is as it was
   /// \throws std::length_error if the points outnumber the values of an index
   /// \pre `link()` returned `true`
   template <typename SkeletonGraph>
-  void extract_skeleton(SkeletonGraph& skeleton) const&
+  bool extract_skeleton(SkeletonGraph& skeleton) const&
   {
     CGAL_precondition(steps_.done() == 3);
-    Point_set_skeletonization_3::internal::set_public_skeleton<Traits>(
-      skeletonizer_.skeleton(), skeletonizer_.number_of_points(),
-      [this](const Index_lists& lists) { skeletonizer_.fill_point_indices(lists); }, skeleton);
+    return steps_.run_polled([&] {
+      Point_set_skeletonization_3::internal::set_public_skeleton<Traits>(
+        skeletonizer_.skeleton(), skeletonizer_.number_of_points(),
+        [this](const Index_lists& lists) { skeletonizer_.fill_point_indices(lists); }, skeleton);
+    });
   }
 
   /// The same for an object that is no longer needed, `std::move(skeletonization)`: its memory is
   /// reused for the indices.
   /// \post the object can only be destroyed
   template <typename SkeletonGraph>
-  void extract_skeleton(SkeletonGraph& skeleton) &&
+  bool extract_skeleton(SkeletonGraph& skeleton) &&
   {
     CGAL_precondition(steps_.done() == 3);
     Skeletonizer skeletonizer = std::move(skeletonizer_);
-    Point_set_skeletonization_3::internal::set_public_skeleton<Traits>(
-      skeletonizer.skeleton(), skeletonizer.number_of_points(),
-      [&](const Index_lists& lists) { skeletonizer.fill_point_indices_and_forget(lists); },
-      skeleton);
+    return steps_.run_polled([&] {
+      Point_set_skeletonization_3::internal::set_public_skeleton<Traits>(
+        skeletonizer.skeleton(), skeletonizer.number_of_points(),
+        [&](const Index_lists& lists) { skeletonizer.fill_point_indices_and_forget(lists); },
+        skeleton);
+    });
   }
 
 private:

@@ -4,6 +4,8 @@
 #ifndef CGAL_MEDIAL_SAMPLE_3_H
 #define CGAL_MEDIAL_SAMPLE_3_H
 
+#include <CGAL/license/Point_set_skeletonization_3.h>
+
 #include <CGAL/Gaussian_mixture_3.h>
 
 #include <CGAL/Bbox_3.h>

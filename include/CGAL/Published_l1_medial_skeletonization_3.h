@@ -4,6 +4,8 @@
 #ifndef CGAL_PUBLISHED_L1_MEDIAL_SKELETONIZATION_3_H
 #define CGAL_PUBLISHED_L1_MEDIAL_SKELETONIZATION_3_H
 
+#include <CGAL/license/Point_set_skeletonization_3.h>
+
 #include <CGAL/Curve_skeleton_3.h>
 #include <CGAL/Gaussian_mixture_3.h>
 #include <CGAL/L1_medial_sample_3.h>
@@ -140,15 +142,18 @@ public:
   std::size_t number_of_iterations() const { return skeletonizer_.number_of_iterations(); }
 
   /// Replaces `skeleton` by the result of step 3; see `L1_medial_skeletonization_3`.
+  /// \returns `false` if the callback cancelled
   /// \throws std::length_error if the points outnumber the values of an index
   /// \pre `link()` returned `true`
   template <typename SkeletonGraph>
-  void extract_skeleton(SkeletonGraph& skeleton) const
+  bool extract_skeleton(SkeletonGraph& skeleton) const
   {
     CGAL_precondition(steps_.done() == 3);
-    Point_set_skeletonization_3::internal::set_public_skeleton<Traits>(
-      skeletonizer_.skeleton(), skeletonizer_.number_of_points(),
-      [this](const Index_lists& lists) { skeletonizer_.fill_point_indices(lists); }, skeleton);
+    return steps_.run_polled([&] {
+      Point_set_skeletonization_3::internal::set_public_skeleton<Traits>(
+        skeletonizer_.skeleton(), skeletonizer_.number_of_points(),
+        [this](const Index_lists& lists) { skeletonizer_.fill_point_indices(lists); }, skeleton);
+    });
   }
 
 private:

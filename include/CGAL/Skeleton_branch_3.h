@@ -4,6 +4,8 @@
 #ifndef CGAL_SKELETON_BRANCH_3_H
 #define CGAL_SKELETON_BRANCH_3_H
 
+#include <CGAL/license/Point_set_skeletonization_3.h>
+
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -51,8 +53,9 @@ struct Skeleton_branch_3
   double volume = 0;      ///< Of truncated cones, one per edge.
 
   /// Angle to the parent where the branch starts, in [0, 180]: 0 straight on, 180 back. Directions
-  /// are those of chords from two to five radii of the junction along the paths, as these bend
-  /// inside the parent. Not a number if there is no parent, or nothing but a point to have a
+  /// are those of chords from two to five radii along the paths, as these bend inside the parent;
+  /// that of the parent is measured farther back where a branch leaves so sharply that it stays
+  /// half inside for longer. Not a number if there is no parent, or nothing but a point to have a
   /// direction.
   double angle = std::numeric_limits<double>::quiet_NaN();
 };

@@ -4,6 +4,8 @@
 #ifndef CGAL_COMPUTE_MEDIAL_SAMPLES_H
 #define CGAL_COMPUTE_MEDIAL_SAMPLES_H
 
+#include <CGAL/license/Point_set_skeletonization_3.h>
+
 #include <CGAL/Gaussian_mixture_3.h>
 #include <CGAL/Medial_sample_3.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/Skeletonizer.h>
@@ -26,7 +28,12 @@ namespace CGAL {
 ///        components that move into one cell of edge length `cell_size` are merged; none are if it
 ///        is 0
 /// \param samples replaced by the result; left untouched if the callback cancels or on an exception
-/// \param np `callback`; see `extract_l1_medial_skeleton()`
+/// \param np
+///   \cgalNamedParamsBegin
+///     \cgalParamNBegin{callback} \cgalParamDescription{called with the progress in [0, 1],
+///       from the calling thread; returning `false` cancels}
+///       \cgalParamType{`std::function<bool(double)>`} \cgalParamDefault{none} \cgalParamNEnd
+///   \cgalNamedParamsEnd
 /// \returns `false` if the callback cancelled
 /// \throws std::invalid_argument if a mean is not finite; the message names the component as a
 ///         point

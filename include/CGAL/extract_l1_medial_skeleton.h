@@ -4,6 +4,8 @@
 #ifndef CGAL_EXTRACT_L1_MEDIAL_SKELETON_H
 #define CGAL_EXTRACT_L1_MEDIAL_SKELETON_H
 
+#include <CGAL/license/Point_set_skeletonization_3.h>
+
 #include <CGAL/L1_medial_skeletonization_3.h>
 
 #include <utility>
@@ -66,17 +68,29 @@ bool extract_l1_medial_skeleton(const PointRange& points, Skeleton& skeleton,
   if constexpr(internal::Maps_to_points<PointRange, NamedParameters>::value) {
     using Traits = internal::Geom_traits_of<PointRange, NamedParameters>;
     L1_medial_skeletonization_3<Traits, ConcurrencyTag> skeletonization(points, np);
-    if(!skeletonization.run())
-      return false;
-    std::move(skeletonization).extract_skeleton(skeleton);
+    return skeletonization.run() && std::move(skeletonization).extract_skeleton(skeleton);
   }
-  return true;
+  return false; // not reached
 }
 
 /// \ingroup PkgPointSetSkeletonization3Ref
 ///
-/// The same for the points of a builder. All `indices` of the skeleton are empty. Named parameters
-/// are `callback`, `single_component` and `is_tree`.
+/// The same for the points of a builder. All `indices` of the skeleton are empty.
+/// \param points the builder
+/// \param skeleton replaced by the result
+/// \param np
+///   \cgalNamedParamsBegin
+///     \cgalParamNBegin{callback} \cgalParamDescription{called with the progress in [0, 1],
+///       from the calling thread; returning `false` cancels}
+///       \cgalParamType{`std::function<bool(double)>`} \cgalParamDefault{none} \cgalParamNEnd
+///     \cgalParamNBegin{maximum_running_time} \cgalParamDescription{seconds after which it cancels
+///       itself, as if the callback had} \cgalParamDefault{no limit} \cgalParamNEnd
+///     \cgalParamNBegin{single_component} \cgalParamDescription{whether to join all components by
+///       the shortest bridges} \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
+///     \cgalParamNBegin{is_tree} \cgalParamDescription{whether to open every cycle where the
+///       evidence for a limb is least} \cgalParamType{`bool`} \cgalParamDefault{`false`}
+///       \cgalParamNEnd
+///   \cgalNamedParamsEnd
 template <typename ConcurrencyTag = Sequential_tag, typename Traits, typename Skeleton,
           typename NamedParameters = parameters::Default_named_parameters>
 bool extract_l1_medial_skeleton(const Gaussian_mixture_builder_3<Traits>& points,
@@ -84,10 +98,7 @@ bool extract_l1_medial_skeleton(const Gaussian_mixture_builder_3<Traits>& points
                                 const NamedParameters& np = parameters::default_values())
 {
   L1_medial_skeletonization_3<Traits, ConcurrencyTag> skeletonization(points, np);
-  if(!skeletonization.run())
-    return false;
-  skeletonization.extract_skeleton(skeleton);
-  return true;
+  return skeletonization.run() && skeletonization.extract_skeleton(skeleton);
 }
 
 } // namespace CGAL

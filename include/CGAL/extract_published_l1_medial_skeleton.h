@@ -4,6 +4,8 @@
 #ifndef CGAL_EXTRACT_PUBLISHED_L1_MEDIAL_SKELETON_H
 #define CGAL_EXTRACT_PUBLISHED_L1_MEDIAL_SKELETON_H
 
+#include <CGAL/license/Point_set_skeletonization_3.h>
+
 #include <CGAL/Published_l1_medial_skeletonization_3.h>
 
 namespace CGAL {
@@ -95,11 +97,9 @@ bool extract_published_l1_medial_skeleton(const PointRange& points, Skeleton& sk
   if constexpr(internal::Maps_to_points<PointRange, NamedParameters>::value) {
     using Traits = internal::Geom_traits_of<PointRange, NamedParameters>;
     Published_l1_medial_skeletonization_3<Traits, ConcurrencyTag> skeletonization(points, np);
-    if(!skeletonization.run())
-      return false;
-    skeletonization.extract_skeleton(skeleton);
+    return skeletonization.run() && skeletonization.extract_skeleton(skeleton);
   }
-  return true;
+  return false; // not reached
 }
 
 } // namespace CGAL

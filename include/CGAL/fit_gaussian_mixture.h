@@ -4,6 +4,8 @@
 #ifndef CGAL_FIT_GAUSSIAN_MIXTURE_H
 #define CGAL_FIT_GAUSSIAN_MIXTURE_H
 
+#include <CGAL/license/Point_set_skeletonization_3.h>
+
 #include <CGAL/L1_medial_skeletonization_3.h>
 
 namespace CGAL {
@@ -14,8 +16,22 @@ namespace CGAL {
 /// finest level are the moments of the points in the cells of a grid; each further level has cells
 /// of twice the width. Weight, mean and covariance are exact. O(n).
 ///
-/// Template and named parameters as for `extract_l1_medial_skeleton()`: `point_map`, `geom_traits`,
-/// `callback`.
+/// Template parameters as for `extract_l1_medial_skeleton()`.
+///
+/// \param points the points
+/// \param np
+///   \cgalNamedParamsBegin
+///     \cgalParamNBegin{point_map} \cgalParamDescription{gives the `Point_3` of an element}
+///       \cgalParamDefault{`Identity_property_map`} \cgalParamNEnd
+///     \cgalParamNBegin{geom_traits} \cgalParamDescription{a model of
+///       `L1MedialSkeletonizationTraits_3`} \cgalParamDefault{the kernel of the points}
+///       \cgalParamNEnd
+///     \cgalParamNBegin{callback} \cgalParamDescription{called with the progress in [0, 1],
+///       from the calling thread; returning `false` cancels}
+///       \cgalParamType{`std::function<bool(double)>`} \cgalParamDefault{none} \cgalParamNEnd
+///     \cgalParamNBegin{maximum_running_time} \cgalParamDescription{seconds after which it cancels
+///       itself, as if the callback had} \cgalParamDefault{no limit} \cgalParamNEnd
+///   \cgalNamedParamsEnd
 /// \returns the mixture, in the coordinates of the input; without levels if there are no points or
 ///   the callback cancelled
 /// \throws std::invalid_argument if a coordinate is not finite; the message names the point
@@ -37,7 +53,16 @@ auto fit_gaussian_mixture(const PointRange& points,
 
 /// \ingroup PkgPointSetSkeletonization3Ref
 ///
-/// The same for the points of a builder. The named parameter is `callback`.
+/// The same for the points of a builder.
+/// \param points the builder
+/// \param np
+///   \cgalNamedParamsBegin
+///     \cgalParamNBegin{callback} \cgalParamDescription{called with the progress in [0, 1],
+///       from the calling thread; returning `false` cancels}
+///       \cgalParamType{`std::function<bool(double)>`} \cgalParamDefault{none} \cgalParamNEnd
+///     \cgalParamNBegin{maximum_running_time} \cgalParamDescription{seconds after which it cancels
+///       itself, as if the callback had} \cgalParamDefault{no limit} \cgalParamNEnd
+///   \cgalNamedParamsEnd
 template <typename ConcurrencyTag = Sequential_tag, typename Traits,
           typename NamedParameters = parameters::Default_named_parameters>
 Gaussian_mixture_3<Traits>

@@ -4,6 +4,8 @@
 #ifndef CGAL_LINK_MEDIAL_SAMPLES_H
 #define CGAL_LINK_MEDIAL_SAMPLES_H
 
+#include <CGAL/license/Point_set_skeletonization_3.h>
+
 #include <CGAL/Curve_skeleton_3.h>
 #include <CGAL/Medial_sample_3.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/Skeletonizer.h>
@@ -32,7 +34,17 @@ namespace CGAL {
 /// \param skeleton replaced by the result; left untouched if the callback cancels or on an
 ///        exception. The `indices` of a vertex, if it has them, are the positions of its samples in
 ///        `samples.samples`
-/// \param np `callback`, `single_component`, `is_tree`; see `extract_l1_medial_skeleton()`
+/// \param np
+///   \cgalNamedParamsBegin
+///     \cgalParamNBegin{callback} \cgalParamDescription{called with the progress in [0, 1],
+///       from the calling thread; returning `false` cancels}
+///       \cgalParamType{`std::function<bool(double)>`} \cgalParamDefault{none} \cgalParamNEnd
+///     \cgalParamNBegin{single_component} \cgalParamDescription{whether to join all components by
+///       the shortest bridges} \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
+///     \cgalParamNBegin{is_tree} \cgalParamDescription{whether to open every cycle where the
+///       evidence for a limb is least} \cgalParamType{`bool`} \cgalParamDefault{`false`}
+///       \cgalParamNEnd
+///   \cgalNamedParamsEnd
 /// \returns `false` if the callback cancelled
 /// \throws std::invalid_argument if a mean is not finite, or a point of the surface; the message
 ///         names it by its position

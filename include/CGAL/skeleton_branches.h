@@ -4,6 +4,8 @@
 #ifndef CGAL_SKELETON_BRANCHES_H
 #define CGAL_SKELETON_BRANCHES_H
 
+#include <CGAL/license/Point_set_skeletonization_3.h>
+
 #include <CGAL/Point_set_skeletonization_3/internal/branches/Numbered_skeleton.h>
 #include <CGAL/Point_set_skeletonization_3/internal/branches/ordered_branches.h>
 #include <CGAL/Skeleton_branch_3.h>

@@ -6,9 +6,11 @@
 #include "catch2.h"
 
 #include "graph_counts.h"
+#include "shapes.h"
 
 #include <CGAL/Curve_skeleton_3.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/extract_l1_medial_skeleton.h>
 #include <CGAL/skeleton_branches.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -165,6 +167,41 @@ TEST_CASE("an angle is measured outside the parent")
   for(const Branch& branch : CGAL::skeleton_branches(skeleton))
     if(branch.vertices.back() == 4)
       CHECK(branch.angle == Approx(45).margin(2));
+}
+
+TEST_CASE("an angle is measured where limbs that part sharply are free of each other")
+{
+  // At 10 degrees, the path of the trunk goes aside over the last six radii before the junction.
+  Skeleton skeleton = make({{0, 0, 0}, {0, 0, 30}, {0.5, 0, 36}, {0, 0, 37}, {0, 0, 60},
+                            {1.05, 0, 36.1}, {5.28, 0, 60}},
+                           {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {2, 5}, {5, 6}}, 1);
+  for(const Branch& branch : CGAL::skeleton_branches(skeleton))
+    if(branch.parent != Branch::none)
+      CHECK(branch.angle == Approx(branch.vertices.back() == 6 ? 10 : 0).margin(0.5));
+}
+
+TEST_CASE("the angles of limbs on a trunk are those they were made with")
+{
+  const unsigned int seed = 5;
+  CAPTURE(seed);
+  for(const double radius : {0.2, 0.35})
+    for(const double angle : {15., 20., 30., 60., 90.}) {
+      CAPTURE(radius, angle);
+      const double a = angle * CGAL_PI / 180;
+      const shapes::Vector start(0, 0, 4), along(std::sin(a), 0, std::cos(a));
+      const shapes::Shape shape{{shapes::Vector(0, 0, 0), shapes::Vector(0, 0, 12), 0.5},
+                                {start, start + 6 * along, radius}};
+      Skeleton skeleton;
+      CGAL::extract_l1_medial_skeleton(
+          shapes::to_points<Kernel>(shapes::sample(shape, 40000, seed)), skeleton);
+      const auto branches = CGAL::skeleton_branches(skeleton);
+      REQUIRE(branches.size() == 3);
+      for(const Branch& branch : branches)
+        if(branch.parent != Branch::none) {
+          const bool is_limb = skeleton[branch.vertices.back()].point.x() > 0.7;
+          CHECK(branch.angle == Approx(is_limb ? angle : 0).margin(2.5));
+        }
+    }
 }
 
 TEST_CASE("a cycle is one closed branch, or is closed by one branch")

@@ -7,9 +7,13 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/sort_polled.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <functional>
+#include <random>
 #include <thread>
 #include <vector>
 
@@ -74,6 +78,32 @@ TEST_CASE("The parts of a loop are disjoint and all of it")
       parallel_for(concurrency, size, [&](std::size_t i) { ++visits[i]; });
       CHECK(visits == std::vector<int>(size, 1));
     }
+}
+
+TEST_CASE("Sorting in pieces sorts, and can be cancelled")
+{
+  const unsigned int seed = 3;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  for(const std::size_t size : {0u, 1u, 1000u, 32768u, 32769u, 100001u}) {
+    CAPTURE(size);
+    std::vector<unsigned int> values(size);
+    for(unsigned int& value : values)
+      value = static_cast<unsigned int>(random() % 5000);
+    std::vector<unsigned int> sorted = values, descending = values;
+    std::sort(sorted.begin(), sorted.end());
+    sort_polled(values.begin(), values.end());
+    CHECK(values == sorted);
+    sort_polled(descending.begin(), descending.end(), std::greater<>());
+    CHECK(std::equal(sorted.rbegin(), sorted.rend(), descending.begin(), descending.end()));
+  }
+  std::size_t reports = 0;
+  const Progress progress([&](double) { return ++reports == 1; });
+  const Progress::Polled polled(progress);
+  progress(0);
+  sleep(60);
+  std::vector<int> values(100000);
+  CHECK_THROWS_AS(sort_polled(values.begin(), values.end()), Cancelled);
 }
 
 TEST_CASE("The time is limited from the first report on")

@@ -109,14 +109,16 @@ class FormatsTest(unittest.TestCase):
         self.assertNotIn(sorted_edge(v, w), edges)
 
     def test_tubes_by_meshio(self):
-        mesh = meshio.read("s.off")
-        self.assertEqual([block.type for block in mesh.cells], ["triangle"])
-        triangles = mesh.cells[0].data
-        sides = [(t[k], t[(k + 1) % 3]) for t in triangles.tolist() for k in range(3)]
-        self.assertEqual(len(set(sides)), len(sides))  # closed: every side once in each direction
-        self.assertEqual({(w, v) for v, w in sides}, set(sides))
-        away = [min(math.dist(p, q) for q in POINTS) for p in mesh.points]
-        self.assertLess(max(away), 1)
+        for filename in "s.off", "s.tubes.ply":
+            mesh = meshio.read(filename)
+            self.assertEqual([block.type for block in mesh.cells], ["triangle"])
+            triangles = mesh.cells[0].data
+            sides = [(t[k], t[(k + 1) % 3]) for t in triangles.tolist() for k in range(3)]
+            # Closed: every side once in each direction.
+            self.assertEqual(len(set(sides)), len(sides))
+            self.assertEqual({(w, v) for v, w in sides}, set(sides))
+            away = [min(math.dist(p, q) for q in POINTS) for p in mesh.points]
+            self.assertLess(max(away), 1)
 
     def test_cylinders(self):
         with open("s.csv", encoding="ascii", newline="") as file:
@@ -170,6 +172,18 @@ class VtkTest(unittest.TestCase):
         data = self.read(vtk.vtkPLYReader(), "s.ply")  # coordinates as float, no edges
         for v, point in enumerate(POINTS):
             numpy.testing.assert_allclose(data.GetPoint(v), point, rtol=1e-7)
+
+    def test_tubes(self):
+        import vtk
+        reader = vtk.vtkPLYReader()
+        reader.SetFileName("s.tubes.ply")
+        reader.Update()
+        edges = vtk.vtkFeatureEdges()  # of closed manifolds there are none
+        edges.SetInputData(reader.GetOutput())
+        edges.FeatureEdgesOff()
+        edges.Update()
+        self.assertGreater(reader.GetOutput().GetNumberOfPolys(), 0)
+        self.assertEqual(edges.GetOutput().GetNumberOfCells(), 0)
 
     def test_obj(self):
         import vtk

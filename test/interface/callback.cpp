@@ -11,6 +11,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <thread>
@@ -94,6 +95,23 @@ TEST_CASE("Cancelling at any report leaves the output as it was")
       CHECK(calls == last + 1); // nobody asks again
       CHECK(have_same_bits(skeleton, sentinel()));
     }
+  }
+}
+
+TEST_CASE("Filling the lists of points can be cancelled, and leaves the output as it was")
+{
+  for(bool published : {false, true}) {
+    // After the last report comes one more, as the callback took its time.
+    std::size_t ends = 0;
+    Skeleton skeleton = sentinel();
+    CHECK_FALSE(watched(cloud(1500), skeleton, published, [&](double value) {
+      if(value < 1)
+        return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(60));
+      return ++ends == 1;
+    }));
+    CHECK(ends == 2);
+    CHECK(have_same_bits(skeleton, sentinel()));
   }
 }
 

@@ -4,6 +4,8 @@
 #ifndef CGAL_IO_CURVE_SKELETON_3_H
 #define CGAL_IO_CURVE_SKELETON_3_H
 
+#include <CGAL/license/Point_set_skeletonization_3.h>
+
 #include <CGAL/Point_set_skeletonization_3/internal/branches/Numbered_skeleton.h>
 #include <CGAL/Point_set_skeletonization_3/internal/io/skeleton_file.h>
 
@@ -40,8 +42,8 @@ inline bool is_curve_skeleton_filename(const std::string& filename)
  * - `.dxf`: AutoCAD release 12. A 3D polyline per branch, in the layer of its order.
  * - `.csv`: a quantitative structure model (QSM): a cylinder per edge, with the columns of
  *   SimpleForest. Its segments are our branches, its branches are our axes.
- * - `.off`: tubes as thick as the radii, a closed triangle mesh per branch. Tubes overlap at
- *   junctions.
+ * - `.off`, `.tubes.ply`: tubes as thick as the radii, a closed triangle mesh per branch. Tubes
+ *   overlap at junctions.
  *
  * Coordinates are written with all digits of a `double`. The file appears only when it is complete.
  * O(n log n) for n vertices and edges.

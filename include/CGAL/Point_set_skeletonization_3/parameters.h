@@ -4,6 +4,8 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_PARAMETERS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_PARAMETERS_H
 
+#include <CGAL/license/Point_set_skeletonization_3.h>
+
 #include <CGAL/Named_function_parameters.h>
 
 namespace CGAL {

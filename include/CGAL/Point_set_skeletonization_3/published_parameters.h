@@ -4,6 +4,8 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_PUBLISHED_PARAMETERS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_PUBLISHED_PARAMETERS_H
 
+#include <CGAL/license/Point_set_skeletonization_3.h>
+
 #include <CGAL/Point_set_skeletonization_3/parameters.h>
 
 #include <cstddef>

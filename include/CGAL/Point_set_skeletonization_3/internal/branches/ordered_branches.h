@@ -227,6 +227,7 @@ inline void set_axes(const Plain_skeleton& skeleton, std::vector<Plain_branch>& 
       heir[parent] = b;
   }
   std::size_t axes = 0;
+  std::vector<std::vector<Plain_branch*>> children(branches.size());
   for(std::size_t b = 0; b < branches.size(); ++b) {
     Plain_branch& branch = branches[b];
     if(branch.parent == none) {
@@ -237,8 +238,11 @@ inline void set_axes(const Plain_skeleton& skeleton, std::vector<Plain_branch>& 
     const bool continues = heir[branch.parent] == b;
     branch.axis = continues ? parent.axis : axes++;
     branch.order = parent.order + (continues ? 0 : 1);
-    branch.angle = angle_between(skeleton, parent, branch);
+    children[branch.parent].push_back(&branch);
   }
+  for(std::size_t b = 0; b < branches.size(); ++b)
+    if(!children[b].empty())
+      measure_angles(skeleton, branches[b], children[b]);
 }
 
 /// Returns the branches of a skeleton, see `skeleton_branches()`. O(n log n).

@@ -90,7 +90,7 @@ inline std::vector<Local_shape> local_shapes(Scale_space& space, const Moving_mi
 /// Returns the median of absolute values of a normal distribution, the least that fits their tenth,
 /// their quarter or their half. Noise is normal and everywhere, so that all three agree; on a shape
 /// with thin limbs or edges the deviations there are large, but those elsewhere small.
-inline double scale_of_normal(std::vector<double> values)
+inline double scale_of_normal(const std::vector<double>& values)
 {
   constexpr double tenth = 0.1257, quarter = 0.3186, half = 0.6745; // quantiles of |N(0, 1)|
   return std::min({quantile(values, 0.1) * (half / tenth),

@@ -65,7 +65,7 @@ public:
   {
     if(level <= level_)
       return;
-    level_ = std::min(level, coarsest_level);
+    level_ = (std::min)(level, coarsest_level);
     grid_ = Grid(level_);
     last_ = 0;
     const Corners corners = std::exchange(corners_, Corners());
@@ -116,7 +116,7 @@ private:
     explicit Grid(int level)
         : width(std::ldexp(1, level))
         , inverse(std::ldexp(1, -level))
-        , multiples(std::ldexp(1, std::min(level + 53, 1023)))
+        , multiples(std::ldexp(1, (std::min)(level + 53, 1023)))
     {}
 
     double corner_of(double x) const
@@ -221,7 +221,7 @@ private:
     while(few < coarsest_level && !are_few_at(few)) {
       const int step = few - many;
       many = few;
-      few = std::min(few + 2 * step, coarsest_level);
+      few = (std::min)(few + 2 * step, coarsest_level);
     }
     while(few - many > 1) {
       const int middle = many + (few - many) / 2;
@@ -249,7 +249,7 @@ public:
   void add(std::size_t i, const Vector3& p)
   {
     if(!p.allFinite())
-      not_finite_ = std::min(not_finite_, i);
+      not_finite_ = (std::min)(not_finite_, i);
     else if(contains(p))
       cells_.add(p);
   }
@@ -257,7 +257,7 @@ public:
   /// Adds the points of another part of the same pass.
   void add(const Bulk& other)
   {
-    not_finite_ = std::min(not_finite_, other.not_finite_);
+    not_finite_ = (std::min)(not_finite_, other.not_finite_);
     cells_.add(other.cells_);
   }
 
@@ -271,7 +271,7 @@ public:
     std::size_t size = 0;
     for(const Bulk_cells::Cell& cell : cells_.cells())
       size += cell.size;
-    size_ = std::max(size_, size);
+    size_ = (std::max)(size_, size);
     number_of_far_ = size_ - size;
     const auto [bulk, is_all] = bulk_of(cells_, size_ / 1000 - number_of_far_);
     box_ = bulk;
@@ -303,7 +303,7 @@ private:
 
   static double farthest(const Box& box, const Vector3& p)
   {
-    return std::max(half_distance(box.lower(), p), half_distance(box.upper(), p));
+    return (std::max)(half_distance(box.lower(), p), half_distance(box.upper(), p));
   }
 
   static double nearest(const Box& box, const Vector3& p)
@@ -379,7 +379,7 @@ private:
         reach(i);
     double shape = 0;
     for(std::size_t k = 0; k < reached.size(); ++k) {
-      shape = std::max(shape, farthest(wide.cells()[reached[k]].box, centre));
+      shape = (std::max)(shape, farthest(wide.cells()[reached[k]].box, centre));
       wide.visit_neighbors(reached[k], reach);
     }
 

@@ -34,7 +34,7 @@ public:
     const double half_diagonal =
       std::hypot(half_extent_.x(), half_extent_.y(), half_extent_.z());
     if(half_diagonal > 0)
-      diagonal_ = 2 * std::min(half_diagonal, std::numeric_limits<double>::max() / 2);
+      diagonal_ = 2 * (std::min)(half_diagonal, (std::numeric_limits<double>::max)() / 2);
   }
 
   /// The corners of the bounding box of the input.
@@ -65,7 +65,7 @@ public:
   /// Maps a length to the unit of the input; one that is no number there is the largest.
   double length_from_unit(double length) const
   {
-    return std::min(length * diagonal_, std::numeric_limits<double>::max());
+    return (std::min)(length * diagonal_, (std::numeric_limits<double>::max)());
   }
 
   /// Whether a point of the input is in the box.
@@ -125,7 +125,7 @@ private:
 };
 
 /// No point, as the first with a coordinate that is not finite.
-constexpr std::size_t none_not_finite = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t none_not_finite = (std::numeric_limits<std::size_t>::max)();
 
 /// \throws std::invalid_argument that names the first point with a coordinate that is not finite,
 ///         if there is one
@@ -144,13 +144,13 @@ public:
   void add(std::size_t i, const Vector3& p)
   {
     if(!p.allFinite())
-      not_finite_ = std::min(not_finite_, i);
+      not_finite_ = (std::min)(not_finite_, i);
     box_.add(p);
   }
 
   void add(const Extent& other)
   {
-    not_finite_ = std::min(not_finite_, other.not_finite_);
+    not_finite_ = (std::min)(not_finite_, other.not_finite_);
     box_.add(other.box_);
   }
 

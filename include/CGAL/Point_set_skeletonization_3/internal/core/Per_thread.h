@@ -78,7 +78,7 @@ Value parallel_sum(Concurrency concurrency, std::size_t size, const Value& zero,
 {
   Per_thread<Value> values(concurrency, [&] { return zero; });
   for(std::size_t first = 0; first < size; first += slice) {
-    const std::size_t end = std::min(size, first + slice);
+    const std::size_t end = (std::min)(size, first + slice);
     parallel_for(concurrency, end - first,
                  [&](std::size_t i) { body(first + i, values.local()); });
     progress(static_cast<double>(end) / static_cast<double>(size));

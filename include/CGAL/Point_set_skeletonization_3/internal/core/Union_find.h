@@ -38,7 +38,7 @@ public:
       return false;
     a = find(a);
     b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
+    parent_[(std::max)(a, b)] = (std::min)(a, b);
     return a != b;
   }
 

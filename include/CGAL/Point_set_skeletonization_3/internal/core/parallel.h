@@ -43,10 +43,10 @@ inline void parallel_for_ranges(Concurrency concurrency, std::size_t size,
 #endif
   static_cast<void>(concurrency);
   constexpr std::size_t ranges = 256, least = 64; // short enough, and hardly slower than one
-  const std::size_t step = std::max(least, size / ranges);
+  const std::size_t step = (std::max)(least, size / ranges);
   for(std::size_t begin = 0; begin < size; begin += step) {
     Progress::poll();
-    body(begin, std::min(begin + step, size));
+    body(begin, (std::min)(begin + step, size));
   }
 }
 

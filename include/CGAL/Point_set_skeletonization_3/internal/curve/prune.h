@@ -5,6 +5,7 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_PRUNE_H
 
 
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
@@ -77,6 +78,7 @@ public:
   {
     std::vector<bool> removed(graph_.vertices.size(), false);
     for(;;) {
+      Progress::poll();
       Skeleton_graph rest = graph_; // with all vertices, so that indices stay
       rest.edges.clear();
       for(const Skeleton_graph::Edge& e : graph_.edges)

@@ -28,7 +28,7 @@ namespace internal {
 
 struct Skeletonizer::State
 {
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
   static constexpr std::size_t number_of_levels = 3; // stages 2 and 3 use the first
 
   Concurrency concurrency;

@@ -27,13 +27,23 @@ public:
   bool run(int number, double begin, double end, const Step& step)
   {
     done_ = number - 1;
+    if(!run_polled([&] { step(progress_.part(begin, end)); }))
+      return false;
+    done_ = number;
+    return true;
+  }
+
+  /// Runs what has no progress of its own, but can be cancelled by `Progress::poll()`.
+  /// \returns `false` if it was
+  template <typename Function>
+  bool run_polled(const Function& function) const
+  {
     const Progress::Polled polled(progress_);
     try {
-      step(progress_.part(begin, end));
+      function();
     } catch(const Cancelled&) {
       return false;
     }
-    done_ = number;
     return true;
   }
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_FILL_INDICES_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_FILL_INDICES_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/plain_data.h>
 
@@ -17,7 +18,8 @@ namespace Point_set_skeletonization_3 {
 namespace internal {
 
 /// Fills the list of points of each vertex, ascending. With ten million points the lists use most
-/// of the memory, so they get no more of it than they need. O(points).
+/// of the memory, so they get no more of it than they need. O(points). Can be cancelled by
+/// `Progress::poll()`.
 ///
 /// \param vertex_of_point `vertex_of_point(p)` is the vertex of a point; at least `vertices` for an
 ///        outlier
@@ -31,9 +33,13 @@ void fill_indices(std::size_t points, std::size_t vertices, const VertexOfPoint&
   constexpr std::size_t rounds = 8, parts = 8;
   const auto first = [&](std::size_t part) { return part * points / (rounds * parts); };
   const auto for_each_point = [&](std::size_t part, const auto& visit) {
-    for(std::size_t p = first(part); p < first(part + 1); ++p)
+    for(std::size_t p = first(part); p < first(part + 1); ++p) {
+      constexpr std::size_t between_polls = std::size_t(1) << 18;
+      if(p % between_polls == 0)
+        Progress::poll();
       if(const std::size_t v = vertex_of_point(p); v < vertices)
         visit(p, v);
+    }
   };
   // Position of the next point of a part in the list of a vertex; first its number of points.
   std::vector<std::vector<std::size_t>> place(rounds * parts + 1,

@@ -46,7 +46,8 @@ inline Gaussian from_plain(const Plain_gaussian& g, const Normalization& normali
 
 inline Plain_box plain_box(const Normalization& normalization)
 {
-  const Vector3 lower = normalization.lower(), upper = normalization.upper();
+  const Vector3& lower = normalization.lower();
+  const Vector3& upper = normalization.upper();
   return {{{lower.x(), lower.y(), lower.z()}}, {{upper.x(), upper.y(), upper.z()}}, true};
 }
 

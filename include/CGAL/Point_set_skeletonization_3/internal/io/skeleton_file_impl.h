@@ -32,7 +32,8 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// A format of skeletons: how its files are named, and how they are written.
+/// A format of skeletons: how its files are named, and how they are written. The first ending that
+/// fits counts.
 struct Skeleton_format
 {
   const char* ending;
@@ -42,13 +43,14 @@ struct Skeleton_format
 inline constexpr Skeleton_format skeleton_formats[] = {
     {".polylines.txt", write_polylines},
     {".obj", write_obj},
+    {".tubes.ply", write_tubes_ply},
     {".ply", write_ply},
     {".vtp", write_vtp},
     {".graphml", write_graphml},
     {".swc", write_swc},
     {".dxf", write_dxf},
     {".csv", write_cylinders},
-    {".off", write_tubes},
+    {".off", write_tubes_off},
 };
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE

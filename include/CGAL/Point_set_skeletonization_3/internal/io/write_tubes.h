@@ -216,17 +216,42 @@ private:
   }
 };
 
-/// OFF: a closed mesh per branch, as thick as its vertices have their radii.
-inline void write_tubes(std::ostream& os, const Written_skeleton& skeleton)
+/// Returns a closed mesh per branch, as thick as its vertices have their radii.
+inline Tube_mesh tubes_of(const Written_skeleton& skeleton)
 {
   Tube_mesh mesh;
   for(const Plain_branch& branch : skeleton.branches)
     mesh.add(skeleton.graph, branch);
-  os << "OFF\n" << mesh.points.size() << ' ' << mesh.triangles.size() << " 0\n";
+  return mesh;
+}
+
+/// Points, then triangles, as OFF and PLY have them after their headers.
+inline void write_mesh_rows(std::ostream& os, const Tube_mesh& mesh)
+{
   for(const Plain_point& p : mesh.points)
     os << p << '\n';
   for(const auto& t : mesh.triangles)
     os << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+}
+
+/// Tubes as OFF.
+inline void write_tubes_off(std::ostream& os, const Written_skeleton& skeleton)
+{
+  const Tube_mesh mesh = tubes_of(skeleton);
+  os << "OFF\n" << mesh.points.size() << ' ' << mesh.triangles.size() << " 0\n";
+  write_mesh_rows(os, mesh);
+}
+
+/// Tubes as PLY.
+inline void write_tubes_ply(std::ostream& os, const Written_skeleton& skeleton)
+{
+  const Tube_mesh mesh = tubes_of(skeleton);
+  os << "ply\nformat ascii 1.0\n"
+     << "element vertex " << mesh.points.size() << '\n'
+     << "property double x\nproperty double y\nproperty double z\n"
+     << "element face " << mesh.triangles.size() << '\n'
+     << "property list uchar int vertex_indices\nend_header\n";
+  write_mesh_rows(os, mesh);
 }
 
 } // namespace internal

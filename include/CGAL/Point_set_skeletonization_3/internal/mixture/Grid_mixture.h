@@ -52,7 +52,7 @@ struct Grid_options
   std::size_t cells(std::size_t points) const
   {
     const auto wanted = static_cast<std::size_t>(static_cast<double>(points) / points_per_cell);
-    return std::min(std::max(wanted, minimum_cells), maximum_cells);
+    return (std::min)(std::max(wanted, minimum_cells), maximum_cells);
   }
 
   /// Checks all ranges.
@@ -148,7 +148,7 @@ public:
   {
     for(std::size_t first = 0; first < size; first += chunk_size)
       chunks_.push_back(boost::interprocess::anonymous_shared_memory(
-        sizeof(std::uint32_t) * std::min(chunk_size, size - first)));
+        sizeof(std::uint32_t) * (std::min)(chunk_size, size - first)));
   }
 
   std::size_t size() const { return size_; }
@@ -183,7 +183,7 @@ inline Cells_of_points add_points(const Normalized_points& points, Grid_level& l
   // The moments of parts are added in order: the result does not depend on the number of threads.
   constexpr std::size_t worth_a_part = 16; // points of a cell: parts need less memory than points
   std::vector<std::vector<Moments>> parts(
-    std::min(cloud_parts, 1 + points.bulk_size() / (worth_a_part * level.cells.size())));
+    (std::min)(cloud_parts, 1 + points.bulk_size() / (worth_a_part * level.cells.size())));
   Cells_of_points cell_of_point(points.size());
   if(points.number_of_far > 0)
     for(std::size_t i = 0; i < points.size(); ++i)

@@ -120,7 +120,7 @@ inline Occupied_cells occupied_cells(const Normalized_points& points, std::size_
 {
   int level = finest_level;
   if(points.bulk_size() > maximum_cells)
-    level = std::min(level, probable_level(points, maximum_cells) + 1);
+    level = (std::min)(level, probable_level(points, maximum_cells) + 1);
   for(;; ++level) {
     Occupied_cells result = occupied_cells(points, level, maximum_cells, concurrency, progress);
     if(level == finest_level || result.grid().level < level) // else a finer grid might do
@@ -164,7 +164,7 @@ inline Cell_set cells_around(const std::vector<std::uint64_t>& cells, const Cell
   constexpr std::size_t block = 1 << 10;
   return parallel_sum(concurrency, (cells.size() + block - 1) / block, Cell_set(),
                       [&](std::size_t b, Cell_set& found) {
-                        const std::size_t end = std::min(cells.size(), (b + 1) * block);
+                        const std::size_t end = (std::min)(cells.size(), (b + 1) * block);
                         for(std::size_t i = b * block; i < end && found.size() <= most; ++i)
                           found.insert(around(unpacked(cells[i])));
                       });

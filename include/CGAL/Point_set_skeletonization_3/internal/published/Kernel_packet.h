@@ -53,7 +53,7 @@ struct Kernel_packet
   /// The kernels `first` to before `end`, eight at most; the last one fills up the packet.
   Kernel_packet(const Packet_tree& tree, const Kernels& kernels, std::size_t first, std::size_t end)
   {
-    const auto kernel = [&](std::size_t k) { return std::min(first + k, end - 1); };
+    const auto kernel = [&](std::size_t k) { return (std::min)(first + k, end - 1); };
     places = packet_of([&](std::size_t k) { return tree.place(kernels.places[kernel(k)]); });
     for(std::size_t k = 0; k < packet_size; ++k) {
       const auto h = static_cast<float>(kernels.radii[kernel(k)]);

@@ -4,8 +4,8 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_POINT_SEARCH_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_POINT_SEARCH_H
 
-
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Neighbor.h>
 
 #include <CGAL/Euclidean_distance.h>
@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -52,7 +53,17 @@ class Point_search
   using Traits = Search_traits_adapter<std::size_t, Index_point_map, Search_traits_3<Kernel>>;
   using Distance = Distance_adapter<std::size_t, Index_point_map,
                                     Euclidean_distance<Search_traits_3<Kernel>>>;
-  using Splitter = Sliding_midpoint<Traits>;
+
+  /// So that building can be cancelled: it splits a node at a time.
+  struct Splitter : Sliding_midpoint<Traits>
+  {
+    template <typename... Arguments>
+    void operator()(Arguments&&... arguments) const
+    {
+      Progress::poll();
+      Sliding_midpoint<Traits>::operator()(std::forward<Arguments>(arguments)...);
+    }
+  };
   using Tree = Kd_tree<Traits, Splitter, Tag_true>;
   using K_search = Orthogonal_k_neighbor_search<Traits, Distance, Splitter, Tree>;
 

@@ -153,7 +153,7 @@ public:
       for(std::size_t k = node.begin; k < node.end; ++k) {
         const Gaussian& g = mixture[tree_.order()[k]];
         moments.add(g.weight, g.mean - origin, g.covariance);
-        largest = std::max(largest, components_[k].variances[2]);
+        largest = (std::max)(largest, components_[k].variances[2]);
       }
       const Gaussian sum = moments.gaussian(origin);
       groups_.push_back({Attractor<float>(sum, packet_tree_.place(sum.mean)), largest,
@@ -228,7 +228,7 @@ inline Vector3 attraction_to_points(const Vector3& q, double h, const std::vecto
   Vector3 sum = Vector3::Zero();
   double weight = 0;
   for(std::size_t j = 0; j < points.size(); ++j) {
-    const double r = std::max((points[j] - q).norm(), 0.01 * h);
+    const double r = (std::max)((points[j] - q).norm(), 0.01 * h);
     const double alpha = weights[j] * theta(r * r, h) / r;
     sum += alpha * points[j];
     weight += alpha;

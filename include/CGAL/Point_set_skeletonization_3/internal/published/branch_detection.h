@@ -6,6 +6,7 @@
 
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/Published_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/gaussian_functions.h>
@@ -81,6 +82,7 @@ private:
   /// The free component nearest to `i`; `none` if there is no other.
   std::size_t nearest_free(std::size_t i) const
   {
+    Progress::poll();
     std::size_t nearest = none;
     double smallest = std::numeric_limits<double>::infinity();
     for(std::size_t j = 0; j < mixture_.size(); ++j) {

@@ -6,6 +6,7 @@
 
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/minimum_spanning_forest.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
@@ -45,12 +46,14 @@ inline std::vector<Branch_link> branch_links(const Gaussians& mixture,
       clusters.join(branch.front(), i);
   return minimum_spanning_forest<Branch_link>(
     clusters, mixture.size(), [&](const auto& visit) {
-      for(std::size_t p = 0; p < branches.size(); ++p)
+      for(std::size_t p = 0; p < branches.size(); ++p) {
+        Progress::poll();
         for(std::size_t q = p + 1; q < branches.size(); ++q)
           if(clusters.find(branches[p].front()) != clusters.find(branches[q].front()))
             for(std::size_t i : branches[p])
               for(std::size_t j : branches[q])
-                visit(Branch_link{std::min(i, j), std::max(i, j), distance(i, j)});
+                visit(Branch_link{(std::min)(i, j), (std::max)(i, j), distance(i, j)});
+      }
     });
 }
 

@@ -81,7 +81,7 @@ inline std::vector<double> densities(const std::vector<Vector3>& points, double 
       });
     for(std::size_t k = first; k < end; ++k)
       result[order[tree.order()[k]]] =
-        std::max(1.f, density[static_cast<Eigen::Index>(k - first)]);
+        (std::max)(1.f, density[static_cast<Eigen::Index>(k - first)]);
   });
   return result;
 }

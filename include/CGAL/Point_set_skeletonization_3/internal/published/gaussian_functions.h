@@ -7,6 +7,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/principal_axes.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/sort_polled.h>
 
 #include <Eigen/Cholesky>
 
@@ -31,7 +32,7 @@ inline std::vector<std::size_t> lexicographic_order(const std::vector<Vector3>& 
 {
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+  sort_polled(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return lexicographically_less(points[a], points[b]);
   });
   return order;

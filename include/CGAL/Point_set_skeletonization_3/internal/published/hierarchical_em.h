@@ -7,7 +7,9 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Moments.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/sort_polled.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/Point_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/Published_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/gaussian_functions.h>
@@ -57,12 +59,13 @@ inline bool is_parent(const Vector3& mean, const Hierarchical_em_options& option
 /// same, so that duplicates would be all parents or all children. O(n log n).
 inline Gaussians sorted_and_merged(Gaussians mixture)
 {
-  std::sort(mixture.begin(), mixture.end(), [](const Gaussian& a, const Gaussian& b) {
+  sort_polled(mixture.begin(), mixture.end(), [](const Gaussian& a, const Gaussian& b) {
     return lexicographically_less(a, b);
   });
   Gaussians result;
   result.reserve(mixture.size());
   for(std::size_t begin = 0, end; begin < mixture.size(); begin = end) {
+    Progress::poll();
     end = begin + 1;
     while(end < mixture.size() && mixture[end].mean == mixture[begin].mean)
       ++end;
@@ -95,8 +98,10 @@ public:
   Em_step(const Gaussians& fine, const Hierarchical_em_options& options, std::size_t level)
     : alpha_(options.alpha)
   {
-    for(const Gaussian& g : fine)
+    for(const Gaussian& g : fine) {
+      Progress::poll();
       (is_parent(g.mean, options, level) ? parents_ : children_).push_back(g);
+    }
     claims_.resize(parents_.size());
     is_claimed_.assign(children_.size(), false);
   }
@@ -104,6 +109,7 @@ public:
   Gaussians run(Concurrency concurrency)
   {
     claim_children(concurrency);
+    Progress::poll();
     compute_responsibilities();
     Gaussians coarse = merged_families(concurrency);
     for(std::size_t c = 0; c < children_.size(); ++c)
@@ -115,6 +121,7 @@ public:
 private:
   void claim_children(Concurrency concurrency)
   {
+    Progress::poll();
     const Point_search search(means_of(children_));
     log_determinants_.resize(children_.size());
     parallel_for(concurrency, children_.size(), [&](std::size_t c) {

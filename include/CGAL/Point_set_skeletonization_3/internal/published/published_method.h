@@ -8,6 +8,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Normalized_points.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/sort_polled.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/Point_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/Published_options.h>
@@ -39,6 +40,7 @@ inline std::vector<Vector3> copied_points(const Normalized_points& points)
   std::vector<Vector3> result;
   result.reserve(points.size());
   for(std::size_t b = 0; b < points.number_of_blocks(); ++b) {
+    Progress::poll();
     const Point_block block = points.block(b);
     result.insert(result.end(), block.begin(), block.end());
   }
@@ -73,7 +75,7 @@ inline std::vector<L1_sample> drawn_samples(const std::vector<Vector3>& points,
   std::vector<std::pair<std::uint64_t, std::size_t>> order;
   for(std::size_t i = 0; i < points.size(); ++i)
     order.emplace_back(position_hash(points[i], options.em.random_seed), i);
-  std::sort(order.begin(), order.end());
+  sort_polled(order.begin(), order.end());
   order.resize(options.projection.samples_of(points.size()));
   std::vector<L1_sample> drawn(order.size());
   for(std::size_t k = 0; k < drawn.size(); ++k) {

@@ -28,7 +28,7 @@ inline std::vector<Vector3> repulsion(const Packet_tree& tree, const Kernels& ke
                                       const std::vector<Surroundings>& around,
                                       Concurrency concurrency)
 {
-  constexpr float least = std::numeric_limits<float>::min(); // no division by zero
+  constexpr float least = (std::numeric_limits<float>::min)(); // no division by zero
   std::vector<Vector3> result(kernels.size());
   for_each_packet(concurrency, kernels.size(), [&](std::size_t first, std::size_t end) {
     Packet_values weight = Packet_values::Zero();

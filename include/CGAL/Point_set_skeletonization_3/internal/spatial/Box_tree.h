@@ -5,6 +5,7 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SPATIAL_BOX_TREE_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 
 #include <Eigen/Geometry>
@@ -179,6 +180,9 @@ private:
                 [](const Entry& a, const Entry& b) { return a.index < b.index; });
       return;
     }
+    constexpr std::size_t worth_a_task = 512; // points
+    if(end - begin >= worth_a_task)
+      Progress::poll();
     Box box;
     for(std::size_t k = begin; k < end; ++k)
       box.extend(entries[k].position);
@@ -190,7 +194,6 @@ private:
                        const double x = a.position[axis], y = b.position[axis];
                        return x != y ? x < y : a.index < b.index;
                      });
-    constexpr std::size_t worth_a_task = 512; // points
     parallel_invoke(
       end - begin >= worth_a_task ? concurrency : Concurrency::sequential,
       [&] { sort(nodes, left, entries, concurrency); },

@@ -75,11 +75,11 @@ public:
     distances_.clear();
     // Points next to the first in the tree give a first bound.
     const std::size_t wide = packet_size + smallest_.size();
-    const std::size_t first = place(0) - std::min(place(0), wide);
-    const std::size_t end = std::min(place(0) + wide, packet_tree_.positions().size());
+    const std::size_t first = place(0) - (std::min)(place(0), wide);
+    const std::size_t end = (std::min)(place(0) + wide, packet_tree_.positions().size());
     look_at(first, end);
     packet_tree_.visit_leaves(*this, [&](std::size_t b, std::size_t e) {
-      look_at(b, std::min(e, first));
+      look_at(b, (std::min)(e, first));
       look_at(std::max(b, end), e);
     });
   }
@@ -144,7 +144,7 @@ inline void find_neighbors(const Box_tree& tree, const std::vector<std::size_t>&
     concurrency, [&] { return K_nearest_packet(tree, packet_tree, result.k()); });
   for_each_packet(concurrency, places.size(), [&](std::size_t first, std::size_t end) {
     K_nearest_packet& packet = packets.local();
-    packet.look_around([&](std::size_t i) { return places[std::min(first + i, end - 1)]; });
+    packet.look_around([&](std::size_t i) { return places[(std::min)(first + i, end - 1)]; });
     for(std::size_t i = first; i < end; ++i)
       packet.neighbors(i - first, tree.positions()[places[i]],
                        result[tree.order()[places[i]]].begin());
@@ -157,7 +157,7 @@ inline K_nearest_neighbors k_nearest_neighbors(const Box_tree& tree, std::size_t
                                                Concurrency concurrency)
 {
   const std::size_t size = tree.order().size();
-  K_nearest_neighbors result(size, std::min(k, size));
+  K_nearest_neighbors result(size, (std::min)(k, size));
   std::vector<std::size_t> places(size);
   std::iota(places.begin(), places.end(), std::size_t(0));
   find_neighbors(tree, places, result, concurrency);
@@ -172,7 +172,7 @@ inline K_nearest_neighbors renumbered(const K_nearest_neighbors& before,
                                       const Box_tree& tree, Concurrency concurrency)
 {
   const std::size_t size = tree.order().size();
-  K_nearest_neighbors result(size, std::min(before.k(), size));
+  K_nearest_neighbors result(size, (std::min)(before.k(), size));
   std::vector<bool> known(size, false);
   for(std::size_t i = 0; i < index_of.size(); ++i) {
     const auto dropped = [&](const Neighbor& neighbor) { return index_of[neighbor.index] >= size; };

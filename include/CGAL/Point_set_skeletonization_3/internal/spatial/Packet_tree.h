@@ -72,7 +72,7 @@ Packet_vectors packet_of(const Vector& vector)
 template <typename Values>
 auto is_positive(const Values& values)
 {
-  return (values * std::numeric_limits<float>::max()).max(0).min(1);
+  return (values * (std::numeric_limits<float>::max)()).max(0).min(1);
 }
 
 /// Calls `body(first, end)` for the packets `first <= k < end` of `size` places, possibly
@@ -81,7 +81,7 @@ template <typename Body>
 void for_each_packet(Concurrency concurrency, std::size_t size, const Body& body)
 {
   parallel_for(concurrency, (size + packet_size - 1) / packet_size, [&](std::size_t packet) {
-    body(packet * packet_size, std::min(size, (packet + 1) * packet_size));
+    body(packet * packet_size, (std::min)(size, (packet + 1) * packet_size));
   });
 }
 

@@ -65,7 +65,7 @@ inline std::vector<std::size_t> nearest_points(const Box_tree& tree,
   std::vector<std::size_t> result(places.size());
   for_each_packet(concurrency, places.size(), [&](std::size_t first, std::size_t end) {
     Nearest_points_packet packet(
-      packet_tree, [&](std::size_t k) { return places[std::min(first + k, end - 1)]; });
+      packet_tree, [&](std::size_t k) { return places[(std::min)(first + k, end - 1)]; });
     packet_tree.visit_leaves(packet, [&](std::size_t b, std::size_t e) { packet.look_at(b, e); });
     for(std::size_t k = first; k < end; ++k)
       result[k] = tree.order()[packet.nearest(k - first)];
