@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 using shapes::Vector;
@@ -96,14 +97,12 @@ TEST_CASE("Thin limbs that cross make loops in a frame, not in a tree")
   constexpr double spacing = 0.01;
   using Line = std::pair<Vector, Vector>;
   const auto scattered = [&](const std::vector<Line>& lines, double width, unsigned int seed) {
-    Random random(seed);
-    const auto across = [&] { return width * random.uniform(-1, 1); };
+    shapes::Random random(seed);
     std::vector<Vector> points;
     for(const Line& line : lines) {
       const Vector way = line.second - line.first;
       for(double at = 0; at <= way.norm(); at += spacing)
-        points.push_back(line.first + at * way.normalized() +
-                         Vector(across(), across(), across()));
+        points.push_back(line.first + at * way.normalized() + width * random.normal_vector());
     }
     return points;
   };
