@@ -4,9 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_PRUNE_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_PRUNE_H
 
-
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/branches.h>
@@ -15,8 +13,13 @@
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_groups.h>
 
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/biconnected_components.hpp>
+
 #include <algorithm>
 #include <cstddef>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -85,6 +88,7 @@ public:
         if(!removed[e.first] && !removed[e.second])
           rest.edges.push_back(e);
       const auto adjacency = rest.adjacency();
+      const Edge_set bridges = bridges_of(rest);
       double least = options_.slenderness;
       Branch spur;
       for(Branch branch : branches(rest)) {
@@ -96,7 +100,7 @@ public:
         const bool ends = adjacency[branch.back()].size() == 1;
         const bool thin =
             static_cast<double>(number_of_points(branch, ends)) < options_.least_points;
-        if(!ends && (branch.size() < 3 || !thin || !is_detour(branch, rest)))
+        if(!ends && (branch.size() < 3 || !thin || contains(bridges, branch[0], branch[1])))
           continue;
         const double s = thin ? 0 : slenderness(branch);
         if(s < least) {
@@ -121,14 +125,34 @@ private:
     return result;
   }
 
-  /// Whether the ends of a branch stay connected without it.
-  static bool is_detour(const Branch& branch, const Skeleton_graph& graph)
+  using Edge_set = std::set<std::pair<std::size_t, std::size_t>>;
+
+  static bool contains(const Edge_set& edges, std::size_t v, std::size_t w)
   {
-    Union_find parts(graph.vertices.size());
-    for(const Skeleton_graph::Edge& e : graph.edges)
-      if(e.first != branch[1] && e.second != branch[1])
-        parts.join(e.first, e.second);
-    return parts.find(branch.front()) == parts.find(branch.back());
+    return edges.count({(std::min)(v, w), (std::max)(v, w)}) != 0;
+  }
+
+  /// The edges whose ends are not connected without them. The ends of a branch stay connected
+  /// without it if it has none of them. O(n log n).
+  static Edge_set bridges_of(const Skeleton_graph& graph)
+  {
+    using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS,
+                                        boost::no_property,
+                                        boost::property<boost::edge_index_t, std::size_t>>;
+    Graph copy(graph.vertices.size());
+    for(std::size_t e = 0; e < graph.edges.size(); ++e)
+      add_edge(graph.edges[e].first, graph.edges[e].second, e, copy);
+    std::vector<std::size_t> part(graph.edges.size()); // biconnected; one edge alone is a bridge
+    const std::size_t parts = boost::biconnected_components(
+        copy, boost::make_iterator_property_map(part.begin(), get(boost::edge_index, copy)));
+    std::vector<std::size_t> size(parts, 0);
+    for(std::size_t p : part)
+      ++size[p];
+    Edge_set result;
+    for(std::size_t e = 0; e < part.size(); ++e)
+      if(size[part[e]] == 1)
+        result.insert(std::minmax(graph.edges[e].first, graph.edges[e].second));
+    return result;
   }
 
   /// The largest ratio of the length beyond a cross-section of a branch, from junction to tip, to
