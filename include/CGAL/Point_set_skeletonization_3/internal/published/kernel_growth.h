@@ -67,7 +67,7 @@ inline std::vector<Surroundings> surroundings(const Packet_tree& tree, const Ker
         mixed.z += x * d.y;
       });
     for(std::size_t i = first; i < end; ++i) {
-      const auto k = static_cast<Eigen::Index>(i - first);
+      const std::size_t k = i - first;
       Eigen::Matrix3f covariance;
       covariance << diagonal.x[k], mixed.z[k], mixed.y[k], //
         mixed.z[k], diagonal.y[k], mixed.x[k],             //
