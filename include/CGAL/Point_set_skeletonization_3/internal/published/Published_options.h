@@ -96,6 +96,10 @@ struct Published_projection_options
   /// is at most this, in [0, 1]. 0.3 means more than twice as much variance along as across.
   double curve_growth = 0.3;
 
+  /// And where it moves across the curve by less than this, in kernel radii h per growth of h^(0),
+  /// >= 0: the samples of a limb thinner than its kernel move across while it contracts.
+  double curve_movement = 0.01;
+
   /// Halting needs a share of samples on curves of at least this, in [0, 1].
   double least_on_curves = 0.5;
 
@@ -125,6 +129,7 @@ struct Published_projection_options
                       initial_kernel_radius.value_or(1) <= 1e4);
     CGAL_precondition(kernel_growth >= 0);
     CGAL_precondition(curve_growth >= 0 && curve_growth <= 1);
+    CGAL_precondition(curve_movement >= 0);
     CGAL_precondition(least_on_curves >= 0 && least_on_curves <= 1);
     CGAL_precondition(halting_growth > 0);
     CGAL_precondition(repulsion >= 0 && repulsion < 0.5);

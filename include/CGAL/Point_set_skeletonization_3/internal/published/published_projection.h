@@ -63,8 +63,11 @@ inline double iterate_projection(Projected_samples& projected, const Attractors&
   for(std::size_t k = 0; k < samples.size(); ++k) {
     L1_sample& s = samples[tree.order()[k]];
     const double growth_factor = around[k].growth_factor();
-    on_curves += growth_factor <= options.curve_growth;
-    s.position += to_median[k] + options.repulsion * from_others[k];
+    const Vector3 way = to_median[k] + options.repulsion * from_others[k],
+                  across = way - way.dot(around[k].direction) * around[k].direction;
+    on_curves += growth_factor <= options.curve_growth &&
+                 across.norm() < options.curve_movement * options.kernel_growth * s.kernel_radius;
+    s.position += way;
     s.kernel_radius += growth * growth_factor;
   }
   ++projected.iterations;
@@ -77,7 +80,7 @@ class Automatic_halt
 public:
   explicit Automatic_halt(const Published_projection_options& options) : options_(options) {}
 
-  /// Looks at samples of which this share is on curves; returns whether that does not grow any more.
+  /// Looks at samples of which this share is on curves; returns whether that has stopped growing.
   bool is_reached(const Projected_samples& samples, double on_curves)
   {
     constexpr double step = 0.01; // less is chance
