@@ -137,7 +137,7 @@ inline void add_published_options(CLI::App& app, Published_symbols& symbols)
   add("--h0", symbols.h_0, 1e-4, 1e4, "first kernel radius, in diagonals [2 / cbrt(points)]");
   add("--delta-h", symbols.delta_h, 0.0, any, "growth per iteration, in h0 [1/2, 1/3]");
   add("--iterations", symbols.iterations, none, many, "of the projection [30, 60]");
-  add_flag("--halt", symbols.halt, "halt when settled; iterations are a bound [60, 120]");
+  add_flag("--halt", symbols.halt, "halt when most samples lie on curves; iterations are a bound [60, 120]");
   add("--mu", symbols.mu, 0.0, 0.4999, "weight of the repulsion [0.2]");
   add("--samples", symbols.samples, one, many * 1000, "samples to project [points / 20, >= 500]");
   add("--alpha", symbols.alpha, tiny, any, "reach of a parent of the EM, in deviations [2.2]");

@@ -86,20 +86,6 @@ auto callback_of(Progress_bar& bar)
   });
 }
 
-template <typename ConcurrencyTag>
-std::size_t
-outliers_of(const CGAL::L1_medial_skeletonization_3<Kernel, ConcurrencyTag>& steps)
-{
-  return steps.number_of_outliers();
-}
-
-// The published method drops no point.
-template <typename ConcurrencyTag>
-std::size_t outliers_of(const CGAL::Published_l1_medial_skeletonization_3<Kernel, ConcurrencyTag>&)
-{
-  return 0;
-}
-
 // Runs the steps of either method.
 template <typename Skeletonization>
 Result run_steps(Skeletonization& steps)
@@ -110,7 +96,7 @@ Result run_steps(Skeletonization& steps)
   result.linking_seconds = seconds_of([&] { return steps.link(); });
   result.mixture = steps.number_of_components();
   result.samples = steps.number_of_samples();
-  result.outliers = outliers_of(steps);
+  result.outliers = steps.number_of_outliers();
   std::move(steps).extract_skeleton(result.skeleton);
   return result;
 }

@@ -308,7 +308,7 @@ m <= 131072 grid cells.)");
 
 points, threads, progress: as for skeletonize().
 tuned: another set of defaults, given second.
-halt: halt when half of the samples have settled; number_of_iterations is then a bound.
+halt: halt when no more samples come to lie on curves; number_of_iterations is then a bound.
 number_of_iterations: of the projection [30, 60; with halt 60, 120].
 random_seed: of parents and samples [0].
 h_0: first kernel radius, in diagonals, in [1e-4, 1e4] [2 / cbrt(n)].

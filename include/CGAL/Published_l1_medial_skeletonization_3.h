@@ -138,6 +138,9 @@ public:
   /// Number of samples.
   std::size_t number_of_samples() const { return skeletonizer_.number_of_samples(); }
 
+  /// Number of input points that belong to no vertex, as they are far from all others.
+  std::size_t number_of_outliers() const { return skeletonizer_.number_of_outliers(); }
+
   /// Number of iterations of step 2 so far.
   std::size_t number_of_iterations() const { return skeletonizer_.number_of_iterations(); }
 

@@ -55,8 +55,9 @@ namespace CGAL {
 ///       \cgalParamType{`double`} \cgalParamDefault{0.5, tuned 1/3} \cgalParamNEnd
 ///     \cgalParamNBegin{mu} \cgalParamDescription{\f$\mu\f$, the weight of the repulsion; in [0,
 ///       0.5)} \cgalParamType{`double`} \cgalParamDefault{0.2} \cgalParamNEnd
-///     \cgalParamNBegin{halt} \cgalParamDescription{whether the projection halts when half of the
-///       samples have settled; `number_of_iterations` is then a bound, by default twice as large}
+///     \cgalParamNBegin{halt} \cgalParamDescription{whether the projection halts when no more
+///       samples come to lie on curves; `number_of_iterations` is then a bound, by default twice as
+///       large}
 ///       \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
 ///     \cgalParamNBegin{samples} \cgalParamDescription{\f$|X|\f$, the number of samples; >= 1}
 ///       \cgalParamType{`std::size_t`} \cgalParamDefault{a twentieth of the points, at least 500}

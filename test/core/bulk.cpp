@@ -122,5 +122,5 @@ TEST_CASE("The first point that is not finite is named")
   Points points = random_points(100, 1, 17);
   points[31].y() = std::numeric_limits<double>::quiet_NaN();
   points[57].z() = std::numeric_limits<double>::infinity();
-  CHECK_THROWS_WITH(bulk_of(points), Catch::Contains("point 31 "));
+  CHECK_THROWS_WITH(bulk_of(points), ContainsSubstring("point 31 "));
 }

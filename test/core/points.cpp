@@ -8,6 +8,7 @@
 #include "points_source.h"
 #include "threads.h"
 
+#include <CGAL/Point_set_skeletonization_3/internal/core/Bulk.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Normalization.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Normalized_points.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Per_thread.h>
@@ -42,11 +43,16 @@ struct Sum
   void add(const Sum& other) { value += other.value; }
 };
 
+Normalization normalization_of(const std::vector<Vector3>& points, Concurrency concurrency)
+{
+  return bulk_of(source_of(points), concurrency).box().normalization();
+}
+
 // The message of normalising points.
 std::string complaint(const std::vector<Vector3>& points, Concurrency concurrency)
 {
   try {
-    normalization_of(source_of(points), concurrency);
+    normalization_of(points, concurrency);
   } catch(const std::invalid_argument& error) {
     return error.what();
   }
@@ -60,8 +66,7 @@ TEST_CASE("Normalised points have a box around the origin with a diagonal of 1, 
   for(const std::size_t size : {2u, 255u, 256u, 257u, 3000u}) {
     CAPTURE(seed, size);
     const std::vector<Vector3> points = cloud(size);
-    const Normalization normalization =
-      normalization_of(source_of(points), Concurrency::parallel);
+    const Normalization normalization = normalization_of(points, Concurrency::parallel);
     Vector3 lower = Vector3::Ones(), upper = -Vector3::Ones();
     for(const Vector3& p : points) {
       const Vector3 q = normalization.to_unit(p);
@@ -79,10 +84,10 @@ TEST_CASE("Normalised points have a box around the origin with a diagonal of 1, 
 
 TEST_CASE("No points and equal points are normalised, too")
 {
-  CHECK(normalization_of(source_of({}), Concurrency::sequential).diagonal() == 1);
+  CHECK(normalization_of({}, Concurrency::sequential).diagonal() == 1);
   const Vector3 p(1, 2, 3);
   const Normalization normalization =
-    normalization_of(source_of(std::vector<Vector3>(700, p)), Concurrency::sequential);
+    normalization_of(std::vector<Vector3>(700, p), Concurrency::sequential);
   CHECK(normalization.diagonal() == 1);
   CHECK(normalization.to_unit(p).isZero());
 }

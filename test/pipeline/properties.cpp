@@ -10,6 +10,7 @@
 #include "skeleton_invariants.h"
 
 #include <CGAL/L1_medial_skeletonization_3.h>
+#include <CGAL/Published_l1_medial_skeletonization_3.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
@@ -215,11 +216,14 @@ struct Result
   std::size_t outliers = 0;
 };
 
-template <typename Tag = CGAL::Sequential_tag>
+using Default_method = CGAL::L1_medial_skeletonization_3<Kernel>;
+using Published_method = CGAL::Published_l1_medial_skeletonization_3<Kernel>;
+
+template <typename Method = Default_method>
 Result result_of(const Points& points)
 {
   Result result;
-  CGAL::L1_medial_skeletonization_3<Kernel, Tag> steps(points);
+  Method steps(points);
   steps.run();
   steps.extract_skeleton(result.skeleton);
   result.outliers = steps.number_of_outliers();
@@ -246,8 +250,9 @@ TEST_CASE("Any points have a possible skeleton, the same for any number of threa
         CHECK(wrong_with(result.skeleton, points) == "");
         CHECK((num_vertices(result.skeleton) > 0) == (size > 0));
         CHECK(number_of_indices(result.skeleton) + result.outliers == size);
-        CHECK(have_same_bits(result.skeleton,
-                             result_of<CGAL::Parallel_if_available_tag>(points).skeleton));
+        using Parallel =
+          CGAL::L1_medial_skeletonization_3<Kernel, CGAL::Parallel_if_available_tag>;
+        CHECK(have_same_bits(result.skeleton, result_of<Parallel>(points).skeleton));
       }
 }
 
@@ -291,14 +296,16 @@ TEST_CASE("Order, place and unit of the points do not change the topology")
       }
 }
 
-TEST_CASE("Far points change nothing but the number of outliers")
+TEMPLATE_TEST_CASE("Far points change nothing but the number of outliers", "", Default_method,
+                   Published_method)
 {
   const auto all = kinds();
   for(const Kind& kind : all)
     if(kind.name == "noisy tube" || kind.name == "ring" || kind.name == "cross" ||
        kind.name == "UTM") {
       const Points points = cloud(kind, 5000, 11);
-      const Result expected = result_of(points);
+      const Result expected = result_of<TestType>(points);
+      CHECK(number_of_indices(expected.skeleton) + expected.outliers == points.size());
       for(const double distance : {40., 1e3, 1e9, 1e100, 1e308})
         for(const std::size_t far : {1u, 5u})
           for(const bool in_one_place : {false, true}) {
@@ -310,11 +317,32 @@ TEST_CASE("Far points change nothing but the number of outliers")
               more.push_back(CGAL::ORIGIN + (in_one_place ? place : distance * source.direction()));
             if(kind.name == "UTM" && distance < 1e8)
               continue; // its points are that far from the origin themselves
-            const Result found = result_of(more);
+            const Result found = result_of<TestType>(more);
             CHECK(have_same_bits(found.skeleton, expected.skeleton));
             CHECK(found.outliers == expected.outliers + far);
           }
     }
+}
+
+TEST_CASE("The indices of points are those of the input, whatever lies far away between them")
+{
+  const auto all = kinds();
+  const Kind& tube = *std::find_if(all.begin(), all.end(),
+                                   [](const Kind& kind) { return kind.name == "tube"; });
+  const Points points = cloud(tube, 3000, 2);
+  Points more = points;
+  more.insert(more.begin() + 1000, Point(1e9, 0, 0));
+  more.insert(more.begin(), Point(0, -1e9, 0));
+  const Result expected = result_of<Published_method>(points),
+               found = result_of<Published_method>(more);
+  REQUIRE(found.outliers == 2);
+  REQUIRE(num_vertices(found.skeleton) == num_vertices(expected.skeleton));
+  for(const auto v : boost::make_iterator_range(vertices(found.skeleton))) {
+    auto shifted = expected.skeleton[v].indices;
+    for(auto& index : shifted)
+      index += index < 1000 ? 1 : 2;
+    CHECK(found.skeleton[v].indices == shifted);
+  }
 }
 
 TEST_CASE("A mast of few points is no outlier")

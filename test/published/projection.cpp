@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -79,7 +80,7 @@ TEST_CASE("Without a halt the iterations are as many as asked for")
   }
 }
 
-TEST_CASE("The projection halts once most samples have settled on a curve, and only then")
+TEST_CASE("The projection halts once most samples lie on a curve, and only then")
 {
   const unsigned int seed = GENERATE(4u, 5u);
   CAPTURE(seed);
@@ -93,12 +94,39 @@ TEST_CASE("The projection halts once most samples have settled on a curve, and o
   CHECK(result.iterations < 200);
   CHECK(mean_axis_distance(result.samples) < 0.2 * radius);
 
-  options.projection.settled_anisotropy = 1; // that of a perfect line
+  // It returns what as many iterations without a halt give.
+  options.projection.halts = false;
+  options.projection.iterations = result.iterations;
+  const Projected_samples same = projected(points, options);
+  REQUIRE(same.samples.size() == result.samples.size());
+  for(std::size_t i = 0; i < same.samples.size(); ++i)
+    REQUIRE(same.samples[i].position == result.samples[i].position);
+
+  options.projection.halts = true;
   options.projection.iterations = 10;
+  options.projection.curve_growth = 0; // only that of infinitely many on a perfect line
   CHECK(projected(points, options).iterations == 10);
-  options.projection.settled_anisotropy = 0.7;
-  options.projection.settled_movement = 0; // every sample moves
+  options.projection.curve_growth = 0.3;
+  options.projection.kernel_growth = 0; // no kernel grows, no limb contracts
   CHECK(projected(points, options).iterations == 10);
+}
+
+TEST_CASE("The halt is where the share of samples on curves stops growing")
+{
+  const auto halted = [](const std::vector<double>& shares) -> std::optional<std::size_t> {
+    Published_projection_options options; // halts when nothing has grown for four iterations
+    Automatic_halt halt(options);
+    for(std::size_t k = 0; k < shares.size(); ++k)
+      if(halt.is_reached({{}, k}, shares[k]))
+        return halt.samples().iterations;
+    return std::nullopt;
+  };
+  CHECK(halted({0.1, 0.3, 0.5, 0.7, 0.6, 0.5, 0.5, 0.4, 0.4}) == 3u);      // a maximum
+  CHECK(halted({0.4, 0.9, 1, 1, 1, 1, 1, 1}) == 2u);                       // all of them
+  CHECK(halted({0.6, 0.605, 0.609, 0.609, 0.609, 0.609}) == 0u);           // hardly grows
+  CHECK(halted({0.6, 0.5, 0.5, 0.5, 0.7, 0.7, 0.7, 0.7, 0.7}) == 4u);      // a short pause
+  CHECK(halted({0.3, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2}) == std::nullopt); // too few
+  CHECK(halted({0.6, 0.7, 0.8, 0.9}) == std::nullopt);                     // still growing
 }
 
 TEST_CASE("The options of the projection do what they say")

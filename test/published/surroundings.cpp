@@ -96,7 +96,7 @@ TEST_CASE("Density, neighbours and anisotropy are those of Eq. 8, 11 and 12")
     CAPTURE(i, h);
     CHECK(around[i].density == Approx(density).epsilon(1e-3));
     CHECK(around[i].neighbors == neighbors);
-    CHECK(around[i].anisotropy == Approx(anisotropy(covariance)).margin(1e-3));
+    CHECK(around[i].anisotropy == Approx(Surroundings(1, 0, covariance).anisotropy).margin(1e-3));
   }
 }
 

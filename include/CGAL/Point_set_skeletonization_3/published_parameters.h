@@ -49,7 +49,7 @@ inline constexpr Parameter<internal_np::published_delta_h_t, std::optional<doubl
 /// mu, the weight of the repulsion.
 inline constexpr Parameter<internal_np::published_mu_t, std::optional<double>> mu{};
 
-/// Whether to halt when the samples have settled.
+/// Whether to halt when most samples lie on curves.
 inline constexpr Parameter<internal_np::published_halt_t, bool> halt{};
 
 /// |X|, the number of samples.

@@ -32,22 +32,6 @@ inline Point_block read_block(const Point_source& points, std::size_t b)
   return result;
 }
 
-/// Returns the similarity that normalises a cloud, which is read once. O(n).
-/// \throws std::invalid_argument that names the first point with a coordinate that is not finite
-inline Normalization normalization_of(const Point_source& points, Concurrency concurrency,
-                                      const Progress& progress = Progress())
-{
-  const Extent extent = parallel_sum(
-    concurrency, points.number_of_blocks(), Extent(),
-    [&](std::size_t b, Extent& part) {
-      std::size_t i = b * Point_source::block_size;
-      for(const Vector3& p : read_block(points, b))
-        part.add(i++, p);
-    },
-    progress);
-  return extent.normalization();
-}
-
 /// Returns the bulk of a cloud, which is read once, and again if there are points far away. O(n).
 /// \throws std::invalid_argument that names the first point with a coordinate that is not finite
 inline Bulk bulk_of(const Point_source& points, Concurrency concurrency,
@@ -97,16 +81,6 @@ struct Normalized_points
         visit(i, normalization.to_unit(p));
       ++i;
     }
-  }
-
-  /// The `b`-th block, also what is not in the box. May be called concurrently.
-  /// \pre `b < number_of_blocks()`
-  Point_block block(std::size_t b) const
-  {
-    Point_block result = read_block(source, b);
-    for(Vector3& p : result)
-      p = normalization.to_unit(p);
-    return result;
   }
 
   /// Calls `visit(k, i, point)` for each point in the normalised box, the `i`-th of the cloud in

@@ -25,11 +25,30 @@ namespace internal {
 /// sequential. The results are the same, bit for bit.
 enum class Concurrency { sequential, parallel };
 
+/// A reference to what can be called with the ends of a range. Unlike `std::function` it neither
+/// copies nor owns: there are a hundred loops, and each would make a compiler instantiate that.
+class Range_function
+{
+public:
+  template <typename Body>
+  Range_function(const Body& body)
+    : body_(&body), call_([](const void* b, std::size_t begin, std::size_t end) {
+        (*static_cast<const Body*>(b))(begin, end);
+      })
+  {}
+
+  void operator()(std::size_t begin, std::size_t end) const { call_(body_, begin, end); }
+
+private:
+  const void* body_;
+  void (*call_)(const void*, std::size_t, std::size_t);
+};
+
 /// Calls `body(begin, end)` for disjoint ranges that cover [0, `size`), in any order, perhaps
 /// concurrently. Two calls must not write to the same memory. Every loop can be cancelled between
 /// the ranges, by `Progress::poll()`.
 inline void parallel_for_ranges(Concurrency concurrency, std::size_t size,
-                                const std::function<void(std::size_t, std::size_t)>& body)
+                                Range_function body)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if(concurrency == Concurrency::parallel) {

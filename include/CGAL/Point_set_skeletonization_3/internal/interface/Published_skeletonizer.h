@@ -48,6 +48,8 @@ public:
   std::size_t number_of_samples() const;
   std::size_t number_of_iterations() const;
   std::size_t number_of_points() const;
+  /// Number of points far from the bulk, which belong to no vertex.
+  std::size_t number_of_outliers() const;
 
   /// Fills the list of points of each vertex. \pre `link()` is done
   void fill_point_indices(const Index_lists& lists) const;

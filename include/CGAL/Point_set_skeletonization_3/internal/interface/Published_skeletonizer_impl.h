@@ -11,6 +11,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/interface/plain_conversion.h>
 #include <CGAL/Point_set_skeletonization_3/internal/published/published_method.h>
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -23,7 +25,7 @@ struct Published_skeletonizer::State
   Published_options options;
 
   Normalization normalization;
-  std::vector<Vector3> points;
+  Copied_points points;
   std::vector<Gaussians> mixture; ///< Finest level first.
   Projected_samples projected;
   Published_skeleton skeleton;
@@ -55,9 +57,11 @@ void Published_skeletonizer::fit_mixture(const Point_source& points, const Progr
   state.mixture.clear();
   state.projected = Projected_samples();
   state.skeleton = Published_skeleton();
-  state.normalization = normalization_of(points, state.concurrency);
-  state.points = copied_points({points, state.normalization});
-  state.mixture = published_mixture(state.points, state.options, state.concurrency, progress);
+  const Bulk bulk = bulk_of(points, state.concurrency, progress.part(0, 0.1));
+  state.normalization = bulk.box().normalization();
+  state.points = copied_points({points, state.normalization, bulk.number_of_far()});
+  state.mixture = published_mixture(state.points.bulk, state.options, state.concurrency,
+                                    progress.part(0.1, 1));
 }
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
@@ -66,7 +70,7 @@ void Published_skeletonizer::project(const Progress& progress)
   State& state = *state_;
   state.projected = Projected_samples();
   state.skeleton = Published_skeleton();
-  state.projected = published_samples(state.points, state.mixture, state.options,
+  state.projected = published_samples(state.points.bulk, state.mixture, state.options,
                                     state.concurrency, progress);
 }
 
@@ -75,7 +79,7 @@ void Published_skeletonizer::link(const Progress& progress)
 {
   State& state = *state_;
   state.skeleton = Published_skeleton();
-  state.skeleton = published_skeleton(state.points, state.projected.samples, state.options,
+  state.skeleton = published_skeleton(state.points.bulk, state.projected.samples, state.options,
                                       state.concurrency, progress);
 }
 
@@ -127,13 +131,23 @@ CGAL_POINT_SET_SKELETONIZATION_3_INLINE
 std::size_t Published_skeletonizer::number_of_points() const { return state_->points.size(); }
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+std::size_t Published_skeletonizer::number_of_outliers() const
+{
+  return state_->points.far.size();
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
 void Published_skeletonizer::fill_point_indices(const Index_lists& lists) const
 {
-  const std::vector<std::size_t>& vertex_of_point = state_->skeleton.vertex_of_point;
+  const Copied_points& points = state_->points;
+  const std::size_t vertices = state_->skeleton.graph.vertices.size();
   fill_indices(
-    vertex_of_point.size(), state_->skeleton.graph.vertices.size(),
-    [&](std::size_t p) { return vertex_of_point[p]; }, [](std::size_t) {}, lists,
-    state_->concurrency);
+    points.size(), vertices,
+    [&](std::size_t p) {
+      const std::optional<std::size_t> place = points.place_in_bulk(p);
+      return place ? state_->skeleton.vertex_of_point[*place] : vertices;
+    },
+    [](std::size_t) {}, lists, state_->concurrency);
 }
 
 } // namespace internal

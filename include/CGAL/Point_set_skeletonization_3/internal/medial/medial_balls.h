@@ -81,7 +81,7 @@ private:
     /// Radius of the third smallest ball of the `k`-th patch; 0 if there is none.
     double radius(std::size_t k) const
     {
-      const auto curvature = static_cast<double>(third_[static_cast<Eigen::Index>(k)]);
+      const auto curvature = static_cast<double>(third_[k]);
       return curvature > 0 ? 1 / curvature : 0;
     }
 

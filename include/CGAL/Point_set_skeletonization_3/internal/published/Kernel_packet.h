@@ -57,7 +57,7 @@ struct Kernel_packet
     places = packet_of([&](std::size_t k) { return tree.place(kernels.places[kernel(k)]); });
     for(std::size_t k = 0; k < packet_size; ++k) {
       const auto h = static_cast<float>(kernels.radii[kernel(k)]);
-      squared_radius[static_cast<Eigen::Index>(k)] = h * h;
+      squared_radius.set(k, h * h);
     }
     factor = 16 / squared_radius;
   }
@@ -72,7 +72,7 @@ struct Kernel_packet
                       [&](std::size_t begin, std::size_t end) {
                         for(std::size_t k = begin; k < end; ++k) {
                           const Packet_vectors d = places.to(tree.positions()[k]);
-                          visit(k, d, Packet_values(d.squared_norm()));
+                          visit(k, d, d.squared_norm());
                         }
                       });
   }
@@ -81,7 +81,7 @@ struct Kernel_packet
   /// beyond the support radius.
   Packet_values theta(const Packet_values& squared, float end = 16) const
   {
-    return decay(Packet_values(factor * squared), end);
+    return decay(factor * squared, end);
   }
 
   Packet_vectors places; ///< In the coordinates of the tree.

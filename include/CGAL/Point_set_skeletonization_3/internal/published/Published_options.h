@@ -86,19 +86,26 @@ struct Published_projection_options
   /// "20 to 30 iterations turned out to be a good choice for all inputs" (Sec. 5).
   std::size_t iterations = 30;
 
-  /// Whether to halt earlier, when half of the samples have settled. The paper leaves the criterion
-  /// open: the movement alone may have a minimum while the samples still lie on a sheet, and
-  /// anisotropy alone grows when limbs collapse onto each other.
+  /// Whether to halt when most samples lie on curves. The paper leaves the criterion open: the
+  /// movement of the samples may have a minimum while they still lie on a sheet, and goes on when
+  /// limbs collapse onto each other. The share of samples on curves grows as limbs contract, thin
+  /// ones first; it stops growing when none is left, or falls when kernels reach other limbs.
   bool halts = false;
 
-  /// A sample has settled where the samples around it lie along a curve, with an anisotropy sigma
-  /// (Eq. 12) of at least this, in [1/3, 1]; 0.7 is more than twice as much variance along as
-  /// across.
-  double settled_anisotropy = 0.7;
+  /// A sample lies on a curve where its kernel hardly grows any more: the growth factor nu (Eq. 11)
+  /// is at most this, in [0, 1]. 0.3 means more than twice as much variance along as across.
+  double curve_growth = 0.3;
 
-  /// And where it moves by less than this, in kernel radii h per growth of h^(0): samples move
-  /// because kernels grow.
-  double settled_movement = 0.01;
+  /// And where it moves across the curve by less than this, in kernel radii h per growth of h^(0),
+  /// >= 0: the samples of a limb thinner than its kernel move across while it contracts.
+  double curve_movement = 0.01;
+
+  /// Halting needs a share of samples on curves of at least this, in [0, 1].
+  double least_on_curves = 0.5;
+
+  /// It halts when that share has not grown by 0.01 while isotropic kernels grow by this, in
+  /// h^(0), > 0.
+  double halting_growth = 2;
 
   /// mu of Eq. 2, in [0, 0.5). The paper gives no number; more spreads the samples over curves, and
   /// pushes them off their middle.
@@ -121,8 +128,10 @@ struct Published_projection_options
     CGAL_precondition(initial_kernel_radius.value_or(1) >= 1e-4 &&
                       initial_kernel_radius.value_or(1) <= 1e4);
     CGAL_precondition(kernel_growth >= 0);
-    CGAL_precondition(settled_anisotropy >= 1.0 / 3 && settled_anisotropy <= 1);
-    CGAL_precondition(settled_movement >= 0);
+    CGAL_precondition(curve_growth >= 0 && curve_growth <= 1);
+    CGAL_precondition(curve_movement >= 0);
+    CGAL_precondition(least_on_curves >= 0 && least_on_curves <= 1);
+    CGAL_precondition(halting_growth > 0);
     CGAL_precondition(repulsion >= 0 && repulsion < 0.5);
   }
 };

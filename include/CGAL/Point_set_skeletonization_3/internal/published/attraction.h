@@ -172,7 +172,7 @@ public:
       for(std::size_t k = 0; k < Attraction_kernel::amplitude.size(); ++k)
         add_term(packet.places, Kernel_term<Packet_values>(k, packet.squared_radius), sum);
       for(std::size_t i = first; i < end; ++i) {
-        const auto lane = static_cast<Eigen::Index>(i - first);
+        const std::size_t lane = i - first;
         const Vector3 offset(sum.x[lane], sum.y[lane], sum.z[lane]);
         result[i] = sum.weight[lane] > 0 ? Vector3(offset / sum.weight[lane]) : Vector3::Zero();
       }

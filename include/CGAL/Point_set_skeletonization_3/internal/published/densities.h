@@ -11,8 +11,6 @@
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Packet_tree.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -80,8 +78,7 @@ inline std::vector<double> densities(const std::vector<Vector3>& points, double 
         density += count * packet.theta(squared, negligible);
       });
     for(std::size_t k = first; k < end; ++k)
-      result[order[tree.order()[k]]] =
-        (std::max)(1.f, density[static_cast<Eigen::Index>(k - first)]);
+      result[order[tree.order()[k]]] = (std::max)(1.f, density[k - first]);
   });
   return result;
 }

@@ -19,20 +19,31 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Returns the anisotropy sigma in [0, 1] of Eq. 12: 1/3 in isotropic surroundings, 1 along a line;
-/// 0 without any other sample.
-inline double anisotropy(const Matrix3& covariance)
-{
-  const double trace = covariance.trace();
-  return trace > 0 ? principal_axes(covariance).variances[2] / trace : 0;
-}
-
 /// What a sample sees within its kernel.
 struct Surroundings
 {
   double density = 1;    ///< w of Eq. 8: 1 + sum of theta over the other samples.
   double neighbors = 0;  ///< n of Eq. 11, the number of other samples.
-  double anisotropy = 0; ///< sigma of Eq. 12, in [0, 1].
+
+  /// sigma of Eq. 12, in [0, 1]: 1/3 in isotropic surroundings, 1 along a line; 0 without any other
+  /// sample.
+  double anisotropy = 0;
+
+  /// Where the variance is largest, of unit length; 0 without any other sample.
+  Vector3 direction = Vector3::Zero();
+
+  Surroundings() = default;
+
+  /// \param covariance C of Eq. 13, up to a factor
+  Surroundings(double w, double n, const Matrix3& covariance) : density(w), neighbors(n)
+  {
+    const double trace = covariance.trace();
+    if(!(trace > 0))
+      return;
+    const Principal_axes axes = principal_axes(covariance);
+    anisotropy = axes.variances[2] / trace;
+    direction = axes.directions.col(2);
+  }
 
   /// The growth factor nu in [0, 1] of the kernel (Eq. 11): 1 in isotropic surroundings, near 0
   /// where the samples are collinear.
@@ -67,13 +78,13 @@ inline std::vector<Surroundings> surroundings(const Packet_tree& tree, const Ker
         mixed.z += x * d.y;
       });
     for(std::size_t i = first; i < end; ++i) {
-      const auto k = static_cast<Eigen::Index>(i - first);
+      const std::size_t k = i - first;
       Eigen::Matrix3f covariance;
       covariance << diagonal.x[k], mixed.z[k], mixed.y[k], //
         mixed.z[k], diagonal.y[k], mixed.x[k],             //
         mixed.y[k], mixed.x[k], diagonal.z[k];
       // The sample itself adds 1 to the density, 1 to the number, nothing to the covariance.
-      result[i] = {density[k], count[k] - 1, anisotropy(covariance.cast<double>())};
+      result[i] = {density[k], count[k] - 1, covariance.cast<double>()};
     }
   });
   return result;

@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -34,16 +35,41 @@ namespace internal {
 // points, a fixed number of iterations with linearly growing kernels, Algorithm 1 on a mixture of
 // the samples.
 
-/// Returns all points of a cloud, normalised; the published method needs them. O(n).
-inline std::vector<Vector3> copied_points(const Normalized_points& points)
+/// Points of a cloud, normalised; the published method needs them all.
+struct Copied_points
 {
-  std::vector<Vector3> result;
-  result.reserve(points.size());
+  std::vector<Vector3> bulk;    ///< Those in the normalised box, in their order.
+  std::vector<std::size_t> far; ///< The indices of the others, ascending.
+
+  std::size_t size() const { return bulk.size() + far.size(); }
+
+  /// Place in `bulk` of the `p`-th point of the cloud; none if that is far. O(log far).
+  std::optional<std::size_t> place_in_bulk(std::size_t p) const
+  {
+    const auto next = std::lower_bound(far.begin(), far.end(), p);
+    if(next != far.end() && *next == p)
+      return std::nullopt;
+    return p - static_cast<std::size_t>(next - far.begin());
+  }
+};
+
+/// Copies the points of a cloud. O(n).
+inline Copied_points copied_points(const Normalized_points& points)
+{
+  Copied_points result;
+  result.bulk.reserve(points.bulk_size());
+  std::size_t next = 0;
   for(std::size_t b = 0; b < points.number_of_blocks(); ++b) {
     Progress::poll();
-    const Point_block block = points.block(b);
-    result.insert(result.end(), block.begin(), block.end());
+    points.visit_block(b, [&](std::size_t i, const Vector3& p) {
+      for(; next < i; ++next)
+        result.far.push_back(next);
+      ++next;
+      result.bulk.push_back(p);
+    });
   }
+  for(; next < points.size(); ++next)
+    result.far.push_back(next);
   return result;
 }
 
@@ -102,12 +128,12 @@ inline Projected_samples published_samples(const std::vector<Vector3>& points,
   return result;
 }
 
-/// A skeleton, and the vertex of each input point.
+/// A skeleton, and the vertex of each point.
 struct Published_skeleton
 {
   Skeleton_graph graph;
   std::size_t number_of_bridges = 0; ///< The last edges, which merge branches.
-  std::vector<std::size_t> vertex_of_point;
+  std::vector<std::size_t> vertex_of_point; ///< In the order of the bulk.
 };
 
 /// Stage 3: returns a tree through the samples. A point belongs to the sample with the nearest

@@ -4,7 +4,6 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_PUBLISHED_PROJECTION_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PUBLISHED_PUBLISHED_PROJECTION_H
 
-
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
@@ -16,6 +15,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Packet_tree.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -33,12 +33,20 @@ struct L1_sample
   double radius = 0; ///< Distance to the nearest component.
 };
 
-/// Moves the samples once by Eq. 2 and grows their kernels by Eq. 10, all from the positions
-/// before. Returns the number of samples that have settled.
-inline std::size_t iterate_projection(std::vector<L1_sample>& samples, const Attractors& attractors,
-                               double growth, const Published_projection_options& options,
-                               Concurrency concurrency)
+/// Samples, and how many iterations moved them.
+struct Projected_samples
 {
+  std::vector<L1_sample> samples;
+  std::size_t iterations = 0;
+};
+
+/// Moves the samples once by Eq. 2 and grows their kernels by Eq. 10, all from the positions
+/// before. Returns the share of the samples that were on a curve there, in [0, 1].
+inline double iterate_projection(Projected_samples& projected, const Attractors& attractors,
+                                 double growth, const Published_projection_options& options,
+                                 Concurrency concurrency)
+{
+  std::vector<L1_sample>& samples = projected.samples;
   std::vector<Vector3> positions;
   for(const L1_sample& s : samples)
     positions.push_back(s.position);
@@ -51,28 +59,50 @@ inline std::size_t iterate_projection(std::vector<L1_sample>& samples, const Att
   const std::vector<Surroundings> around = surroundings(packet_tree, kernels, concurrency);
   const std::vector<Vector3> to_median = attractors.attraction(kernels, concurrency);
   const std::vector<Vector3> from_others = repulsion(packet_tree, kernels, around, concurrency);
-  std::size_t settled = 0;
+  std::size_t on_curves = 0;
   for(std::size_t k = 0; k < samples.size(); ++k) {
     L1_sample& s = samples[tree.order()[k]];
-    const Vector3 way = to_median[k] + options.repulsion * from_others[k];
-    if(around[k].anisotropy >= options.settled_anisotropy &&
-       way.norm() < options.settled_movement * options.kernel_growth * s.kernel_radius)
-      ++settled;
+    const double growth_factor = around[k].growth_factor();
+    const Vector3 way = to_median[k] + options.repulsion * from_others[k],
+                  across = way - way.dot(around[k].direction) * around[k].direction;
+    on_curves += growth_factor <= options.curve_growth &&
+                 across.norm() < options.curve_movement * options.kernel_growth * s.kernel_radius;
     s.position += way;
-    s.kernel_radius += growth * around[k].growth_factor();
+    s.kernel_radius += growth * growth_factor;
   }
-  return settled;
+  ++projected.iterations;
+  return static_cast<double>(on_curves) / static_cast<double>(samples.size());
 }
 
-/// Samples, and how many iterations moved them.
-struct Projected_samples
+/// The automatic halt: knows when most samples were on curves.
+class Automatic_halt
 {
-  std::vector<L1_sample> samples;
-  std::size_t iterations = 0;
+public:
+  explicit Automatic_halt(const Published_projection_options& options) : options_(options) {}
+
+  /// Looks at samples of which this share is on curves; returns whether that has stopped growing.
+  bool is_reached(const Projected_samples& samples, double on_curves)
+  {
+    constexpr double step = 0.01; // less is chance
+    if(on_curves >= std::max(options_.least_on_curves, greatest_ + step)) {
+      greatest_ = on_curves;
+      then_ = samples;
+    }
+    const auto since = static_cast<double>(samples.iterations - then_.iterations);
+    return greatest_ > 0 && since * options_.kernel_growth >= options_.halting_growth;
+  }
+
+  /// The samples when their share on curves stopped growing.
+  const Projected_samples& samples() const { return then_; }
+
+private:
+  Published_projection_options options_;
+  double greatest_ = 0; ///< Share of the samples on curves.
+  Projected_samples then_;
 };
 
-/// Returns the samples after the iterations, or earlier if they halt. O(n (n + m)) per iteration
-/// for n samples and m components.
+/// Returns the samples after the iterations, or as they were when they should have halted.
+/// O(n (n + m)) per iteration for n samples and m components.
 inline Projected_samples project_as_published(std::vector<L1_sample> samples,
                                               const Gaussians& mixture,
                                               const Published_projection_options& options,
@@ -84,13 +114,13 @@ inline Projected_samples project_as_published(std::vector<L1_sample> samples,
     return result;
   const Attractors attractors(mixture);
   const double growth = options.kernel_growth * result.samples.front().kernel_radius; // Delta h
+  Automatic_halt halt(options);
   while(result.iterations < options.iterations) {
-    const std::size_t settled =
-      iterate_projection(result.samples, attractors, growth, options, concurrency);
-    ++result.iterations;
+    const Projected_samples before = result;
+    const double on_curves = iterate_projection(result, attractors, growth, options, concurrency);
     progress(static_cast<double>(result.iterations) / static_cast<double>(options.iterations));
-    if(options.halts && 2 * settled >= result.samples.size())
-      break;
+    if(options.halts && halt.is_reached(before, on_curves))
+      return halt.samples();
   }
   return result;
 }

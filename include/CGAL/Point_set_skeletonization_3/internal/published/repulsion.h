@@ -10,8 +10,6 @@
 #include <CGAL/Point_set_skeletonization_3/internal/published/kernel_growth.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Packet_tree.h>
 
-#include <Eigen/Core>
-
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -46,7 +44,7 @@ inline std::vector<Vector3> repulsion(const Packet_tree& tree, const Kernels& ke
         sum.z -= beta * d.z;
       });
     for(std::size_t i = first; i < end; ++i) {
-      const auto k = static_cast<Eigen::Index>(i - first);
+      const std::size_t k = i - first;
       const Vector3 total(sum.x[k], sum.y[k], sum.z[k]);
       result[i] = weight[k] > 0 ? Vector3(total / weight[k]) : Vector3::Zero();
     }

@@ -93,13 +93,12 @@ public:
   /// Writes the neighbours of the `k`-th point, which is at `position`, to `result`.
   void neighbors(std::size_t k, const Vector3& position, Neighbor* result)
   {
-    const auto lane = static_cast<Eigen::Index>(k);
-    const float farthest = smallest_.back()[lane];
+    const float farthest = smallest_.back()[k];
     near_.resize(seen_.size() + 1);
     std::size_t size = 0;
     for(std::size_t i = 0; i < seen_.size(); ++i) { // branchless
       near_[size] = seen_[i];
-      size += distances_[i][lane] <= farthest;
+      size += distances_[i][k] <= farthest;
     }
     nearest_.resize(size);
     for(std::size_t i = 0; i < size; ++i)

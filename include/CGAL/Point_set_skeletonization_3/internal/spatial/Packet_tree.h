@@ -4,15 +4,15 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SPATIAL_PACKET_TREE_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SPATIAL_PACKET_TREE_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Float_packet.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -23,57 +23,6 @@ namespace internal {
 // they visit nearly the same nodes. In single precision a packet fills two registers of four
 // values. Without branches there are no branch mispredictions, which take most of the time of a
 // single search.
-
-/// Number of places of a packet.
-constexpr std::size_t packet_size = 8;
-
-/// A value for each place of a packet.
-using Packet_values = Eigen::Array<float, packet_size, 1>;
-
-/// A vector for each place of a packet.
-struct Packet_vectors
-{
-  Packet_values x, y, z;
-
-  /// The vectors from the places to a point.
-  Packet_vectors to(const Eigen::Vector3f& p) const { return {p.x() - x, p.y() - y, p.z() - z}; }
-
-  auto dot(const Eigen::Vector3f& v) const { return x * v.x() + y * v.y() + z * v.z(); }
-  auto dot(const Packet_vectors& v) const { return x * v.x + y * v.y + z * v.z; }
-  auto squared_norm() const { return x * x + y * y + z * z; }
-
-  /// Whether a place is closer to a box than its given squared distance.
-  bool is_any_closer(const Eigen::AlignedBox3f& box, const Packet_values& squared_distance) const
-  {
-    const Eigen::Vector3f &lower = (box.min)(), &upper = (box.max)();
-    const Packet_vectors to_box{(lower.x() - x).max(x - upper.x()).max(0),
-                                (lower.y() - y).max(y - upper.y()).max(0),
-                                (lower.z() - z).max(z - upper.z()).max(0)};
-    return (to_box.squared_norm() - squared_distance).minCoeff() < 0;
-  }
-};
-
-/// Returns the packet of the vectors `vector(k)`, k < packet_size.
-template <typename Vector>
-Packet_vectors packet_of(const Vector& vector)
-{
-  Packet_vectors result;
-  for(std::size_t k = 0; k < packet_size; ++k) {
-    const Eigen::Vector3f v = vector(k);
-    const auto lane = static_cast<Eigen::Index>(k);
-    result.x[lane] = v.x();
-    result.y[lane] = v.y();
-    result.z[lane] = v.z();
-  }
-  return result;
-}
-
-/// Returns 1 for each positive value, else 0. The result refers to the values.
-template <typename Values>
-auto is_positive(const Values& values)
-{
-  return (values * (std::numeric_limits<float>::max)()).max(0).min(1);
-}
 
 /// Calls `body(first, end)` for the packets `first <= k < end` of `size` places, possibly
 /// concurrently; `end - first` is `packet_size`, for the last one perhaps less.

@@ -28,7 +28,7 @@ public:
   /// Position, in the order of the tree, of the point nearest to the `k`-th place.
   std::size_t nearest(std::size_t k) const
   {
-    return static_cast<std::size_t>(nearest_[static_cast<Eigen::Index>(k)]);
+    return static_cast<std::size_t>(nearest_[k]);
   }
 
   void look_at(std::size_t begin, std::size_t end)

@@ -70,7 +70,7 @@ private:
 
     double distance(std::size_t k) const
     {
-      const float squared = squared_[static_cast<Eigen::Index>(k)];
+      const float squared = squared_[k];
       return squared < far ? std::sqrt(static_cast<double>(squared)) : 0;
     }
 

@@ -4,9 +4,9 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_WINDING_NUMBER_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_WINDING_NUMBER_H
 
-
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Float_packet.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Packet_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 
@@ -60,18 +60,17 @@ public:
   /// The winding number at a place. O(log n) in practice.
   double operator()(const Vector3& q) const { return (*this)(std::array<Vector3, 1>{{q}})[0]; }
 
-  /// The winding numbers at `N` places close to each other.
+  /// The winding numbers at up to eight places close to each other; three cost no less than four.
   template <std::size_t N>
   std::array<double, N> operator()(const std::array<Vector3, N>& places) const
   {
-    Eigen::Array<float, N, 3> q;
-    for(std::size_t k = 0; k < N; ++k)
-      q.row(static_cast<Eigen::Index>(k)) =
-        ((places[k] - origin_) / unit_).transpose().template cast<float>();
-    const Values<N> sum = at<N>(q);
+    static_assert(N <= packet_size);
+    constexpr std::size_t lanes = N <= 4 ? 4 : packet_size;
+    const Float_packet<lanes> sum =
+      at(packet_of<lanes>([&](std::size_t k) { return place(places[k % N]); }));
     std::array<double, N> result;
     for(std::size_t k = 0; k < N; ++k)
-      result[k] = static_cast<double>(sum[static_cast<Eigen::Index>(k)]) / (4 * CGAL_PI);
+      result[k] = static_cast<double>(sum[k]) / (4 * CGAL_PI);
     return result;
   }
 
@@ -90,8 +89,7 @@ public:
   }
 
 private:
-  template <std::size_t N>
-  using Values = Eigen::Array<float, N, 1>;
+  Eigen::Vector3f place(const Vector3& q) const { return ((q - origin_) / unit_).cast<float>(); }
 
   /// A patch, in units of the extent of all.
   struct Dipole
@@ -110,14 +108,13 @@ private:
     {}
 
     template <std::size_t N>
-    Values<N> at(const Eigen::Array<float, N, 3>& q) const
+    Float_packet<N> at(const Vector_packet<N>& q) const
     {
-      const Values<N> x = position.x() - q.col(0), y = position.y() - q.col(1),
-                      z = position.z() - q.col(2);
-      const Values<N> squared = x * x + y * y + z * z;
-      const Values<N> count = is_positive(squared - squared_reach); // 1 if it counts, else 0
-      const Values<N> known = squared.max(squared_reach);
-      return count * (moment.x() * x + moment.y() * y + moment.z() * z) / (known * known.sqrt());
+      const Vector_packet<N> d = q.to(position);
+      const Float_packet<N> squared = d.squared_norm();
+      const Float_packet<N> count = is_positive(squared - squared_reach); // 1 if it counts, else 0
+      const Float_packet<N> known = squared.max(squared_reach);
+      return count * d.dot(moment) / (known * known.sqrt());
     }
 
     Eigen::Vector3f position, moment;
@@ -195,16 +192,14 @@ private:
 
     /// The sum of its dipoles. \pre the places are further than `reach` from the centre
     template <std::size_t N>
-    Values<N> at(const Eigen::Array<float, N, 3>& q) const
+    Float_packet<N> at(const Vector_packet<N>& q) const
     {
-      const Values<N> x = center.x() - q.col(0), y = center.y() - q.col(1),
-                      z = center.z() - q.col(2);
-      const Values<N> squared = x * x + y * y + z * z;
-      const Values<N> linear = moment.x() * x + moment.y() * y + moment.z() * z;
-      const Values<N> quadratic = x * (diagonal.x() * x + mixed.z() * y) +
-                                  y * (diagonal.y() * y + mixed.x() * z) +
-                                  z * (diagonal.z() * z + mixed.y() * x);
-      return (linear * squared + quadratic) / (squared * squared * squared.sqrt());
+      const Vector_packet<N> d = q.to(center);
+      const Float_packet<N> squared = d.squared_norm();
+      const Float_packet<N> quadratic = d.x * (diagonal.x() * d.x + mixed.z() * d.y) +
+                                        d.y * (diagonal.y() * d.y + mixed.x() * d.z) +
+                                        d.z * (diagonal.z() * d.z + mixed.y() * d.x);
+      return (d.dot(moment) * squared + quadratic) / (squared * squared * squared.sqrt());
     }
 
     Eigen::Vector3f center;   ///< Of their area.
@@ -214,22 +209,22 @@ private:
   };
 
   template <std::size_t N>
-  Values<N> at(const Eigen::Array<float, N, 3>& q) const
+  Float_packet<N> at(const Vector_packet<N>& q) const
   {
-    const Eigen::Vector3f middle = q.colwise().mean().matrix().transpose();
-    const float radius = (q.matrix().rowwise() - middle.transpose()).rowwise().norm().maxCoeff();
-    Values<N> sum = Values<N>::Zero();
+    const Eigen::Vector3f middle(q.x.mean(), q.y.mean(), q.z.mean());
+    const float radius = std::sqrt(q.to(middle).squared_norm().maxCoeff());
+    Float_packet<N> sum = 0;
     for(std::size_t n = 0; n < groups_.size();) {
       const Group& group = groups_[n];
       const float away = group.reach + radius;
       if((group.center - middle).squaredNorm() > away * away) {
-        sum += group.template at<N>(q);
+        sum += group.at(q);
         n = tree_.nodes()[n].after;
         continue;
       }
       if(tree_.is_leaf(n))
         for(std::size_t i = tree_.nodes()[n].begin; i < tree_.nodes()[n].end; ++i)
-          sum += dipoles_[i].template at<N>(q);
+          sum += dipoles_[i].at(q);
       ++n;
     }
     return sum;
