@@ -4,7 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MIXTURE_CUBIC_GRID_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MIXTURE_CUBIC_GRID_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Lattice_point.h>
 
 #include <array>
 #include <cstddef>
@@ -82,12 +82,6 @@ struct Cubic_grid
   {
     return Cell_around((factor << (fine.level - level)) / fine.factor);
   }
-
-  /// Centre of a cell.
-  Vector3 center(const Grid_cell& cell) const
-  {
-    return cell_size() * (Vector3(cell[0], cell[1], cell[2]) + Vector3::Constant(0.5));
-  }
 };
 
 /// Maps a point to the cell of a grid that contains it.
@@ -95,17 +89,22 @@ class Cell_of_point
 {
 public:
   explicit Cell_of_point(const Cubic_grid& grid)
-    : fine_cells_(1 << grid.level), around_(grid.factor)
+    : shift_(lattice_level - grid.level), around_(grid.factor)
   {}
 
-  Grid_cell operator()(const Vector3& p) const
+  Grid_cell operator()(const Lattice_point& p) const
   {
-    return around_({{rounded_down(p[0] * fine_cells_), rounded_down(p[1] * fine_cells_),
-                     rounded_down(p[2] * fine_cells_)}});
+    return around_({{rounded_down(p[0]), rounded_down(p[1]), rounded_down(p[2])}});
   }
 
 private:
-  double fine_cells_; ///< Per unit of length.
+  /// Shifts keep the sign, on all machines; C++20 says so as well.
+  std::int32_t rounded_down(std::int64_t x) const
+  {
+    return static_cast<std::int32_t>(x >> shift_);
+  }
+
+  int shift_;
   Cell_around around_;
 };
 

@@ -10,6 +10,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Cell_set.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Cubic_grid.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Lattice_point.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -37,7 +38,7 @@ public:
 
   void add(const Vector3& p)
   {
-    cells_.insert(cell_of_(p));
+    cells_.insert(cell_of_(lattice_point(p)));
     limit();
   }
 
@@ -150,7 +151,7 @@ inline Fine_cells fine_cells(const Normalized_points& points, std::size_t maximu
   const Cell_of_point cell_of(result.grid);
   parallel_for(concurrency, points.number_of_blocks(), [&](std::size_t b) {
     points.visit_block(
-      b, [&](std::size_t i, const Vector3& p) { result.cells[i] = packed(cell_of(p)); });
+      b, [&](std::size_t i, const Vector3& p) { result.cells[i] = packed(cell_of(lattice_point(p))); });
   });
   result.cells.erase(std::remove(result.cells.begin(), result.cells.end(), no_cell),
                      result.cells.end());
