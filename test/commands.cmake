@@ -1,9 +1,8 @@
 # The tests that run our programs, and other projects that use us.
 if(TARGET skeletonize_point_set)
   set(names program_usage program_input program_robust program_output program_signals program_many
-            picture)
-  get_target_property(definitions skeletonize_point_set COMPILE_DEFINITIONS)
-  if("WITH_CAIRO" IN_LIST definitions AND "WITH_THREE_JS" IN_LIST definitions)
+            program_moments picture recipes)
+  if(TARGET pages AND TARGET pictures)
     list(APPEND names program_views)
     if(Point_set_skeletonization_3_COMPARISON)
       list(APPEND names page) # in a browser
