@@ -7,7 +7,7 @@
 set -eu
 program="cmake ninja-build g++ libcgal-dev libeigen3-dev libtbb-dev libcli11-dev nlohmann-json3-dev
   libcairo2-dev libjs-three"
-test="catch2 help2man python3-dev pybind11-dev python3-matplotlib python3-numpy python3-ezdxf python3-meshio
+test="catch2 help2man libboost-mpi-dev openmpi-bin procps python3-dask python3-dev pybind11-dev python3-matplotlib python3-numpy python3-ezdxf python3-meshio
   python3-networkx"
 report="doxygen libjs-chart.js libjs-jquery libjs-jquery-tablesorter
   chromium chromium-driver python3-selenium python3-vtk9"
