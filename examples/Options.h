@@ -176,7 +176,8 @@ inline void check_box(const std::string& option, const std::vector<double>& box)
 }
 
 /// \throw std::runtime_error
-inline void check_moments_output(const std::string& filename, const std::vector<std::string>& inputs)
+inline void check_moments_output(const std::string& filename,
+                                 const std::vector<std::string>& inputs)
 {
   if(!is_moments_file(filename))
     throw std::runtime_error("cannot write '" + filename + "': name it .moments");
@@ -249,7 +250,7 @@ inline void add_topology_options(CLI::App& app, Options& options)
                "join all parts, for a shape known to be in one piece");
   app.add_flag("--tree", options.is_tree, "open every cycle, for a shape known to have none");
   app.add_flag("--split", options.split,
-               "a skeleton for each part that touches no other, as trees of a plot: FILE_1, FILE_2, ...");
+               "a skeleton for each part that touches no other, as trees: FILE_1, FILE_2, ...");
 }
 
 /// How the program runs and what it reports.
@@ -330,7 +331,7 @@ inline void add_box_option(CLI::App& app, std::vector<double>& box)
 inline CLI::App& add_accumulate_command(CLI::App& app, Accumulation& job)
 {
   CLI::App& command = *app.add_subcommand(
-      "accumulate", "reads the tiles of a large cloud into a file of moments, an INPUT like any other");
+      "accumulate", "reads the tiles of a large cloud into a file of moments, a kind of INPUT");
   CLI::Option* files = command.add_option("TILE", job.files, "a file with a part of the cloud");
   add_tile_list_option(command, job.list);
   command.add_option("-o,--output", job.output, "file to write, .moments")
@@ -339,7 +340,7 @@ inline CLI::App& add_accumulate_command(CLI::App& app, Accumulation& job)
   add_box_option(command, job.box);
   command
       .add_option("--tile-box", job.tile_box,
-                  "the points of a TILE that count, if tiles overlap; those on its upper sides do not")
+                  "what counts of a TILE, if tiles overlap; points on its upper sides do not")
       ->type_name("X")
       ->expected(6)
       ->needs(files);

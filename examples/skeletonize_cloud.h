@@ -167,11 +167,11 @@ Result skeletonize(const Points& points, const Options& options, Progress_bar& b
   if constexpr(std::is_same<Points, std::vector<Point>>::value)
     if(options.as_published)
       return skeletonize_as_published<ConcurrencyTag>(points, options, bar);
+  using namespace CGAL::parameters;
   CGAL::L1_medial_skeletonization_3<Kernel, ConcurrencyTag> steps(
-      points, CGAL::parameters::maximum_cells(
-                  options.cells, CGAL::parameters::single_component(
-                                     options.single_component,
-                                     CGAL::parameters::is_tree(options.is_tree, callback_of(bar)))));
+      points, maximum_cells(options.cells,
+                            single_component(options.single_component,
+                                             is_tree(options.is_tree, callback_of(bar)))));
   return run_steps(steps);
 }
 
@@ -366,7 +366,8 @@ inline std::vector<Reported> skeletonize_streamed(const Builder& builder, const 
 }
 
 /// Prints what was asked for.
-inline void report(const Reported& r, const Options& options, const std::vector<double>& memory = {})
+inline void report(const Reported& r, const Options& options,
+                   const std::vector<double>& memory = {})
 {
   if(options.stats)
     print_stats(r.reading, r.result, r.counts, options, memory);

@@ -16,8 +16,8 @@
 #include <utility>
 #include <vector>
 
-/// A file with a part of a cloud. Tiles may overlap, as those with a buffer do: then each has a box,
-/// and only the points in it count.
+/// A file with a part of a cloud. Tiles may overlap, as those with a buffer do: then each has a
+/// box, and only the points in it count.
 struct Tile
 {
   std::string file;

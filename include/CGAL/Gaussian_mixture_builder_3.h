@@ -68,8 +68,8 @@ public:
 
   /// \param box contains all points, best their bounding box. A larger one gives a coarser grid: no
   ///        cell is narrower than 1/4096 of the diagonal. An empty box contains no points.
-  /// \param maximum_cells greatest number of components of the mixture, in [1000, 2^26]. Four times as
-  ///        many cells are stored, of about 350 bytes each.
+  /// \param maximum_cells greatest number of components of the mixture, in [1000, 2^26]. Four times
+  ///        as many cells are stored, of about 350 bytes each.
   /// \throws std::invalid_argument if the box is not finite, or a least coordinate greater than the
   ///         greatest
   explicit Gaussian_mixture_builder_3(const Bbox_3& box,
@@ -126,7 +126,8 @@ public:
     ++number_of_points_;
   }
 
-  /// Notes where points come from, for instance the name of a file: so that nothing is counted twice.
+  /// Notes where points come from, for instance the name of a file: so that nothing is counted
+  /// twice.
   /// \returns whether that was not noted before
   bool insert_source(const std::string& name) { return sources_.insert(name).second; }
 
@@ -134,8 +135,8 @@ public:
   const std::set<std::string>& sources() const { return sources_; }
 
   /// Adds the points of another builder. O(cells).
-  /// \throws std::invalid_argument if `other` has another box or another `maximum_cells`, or a source
-  ///         of this one; then this one is unchanged
+  /// \throws std::invalid_argument if `other` has another box or another `maximum_cells`, or a
+  ///         source of this one; then this one is unchanged
   void merge(const Gaussian_mixture_builder_3& other)
   {
     if(other.box_ != box_ || other.leaves_out_far_ != leaves_out_far_)
@@ -151,10 +152,10 @@ public:
     number_of_far_ += other.number_of_far_;
   }
 
-  /// The parts that do not touch, such as the trees of a plot without its ground, the largest first:
-  /// for skeletons of their own. There is a gap around each, four times as wide as the cells of
-  /// `fit_gaussian_mixture()`. Strays, with less than a hundredth of the points of the largest part,
-  /// are left out. A part has the box of all, and no sources. O(cells log cells).
+  /// The parts that do not touch, such as the trees of a plot without its ground, the largest
+  /// first: for skeletons of their own. There is a gap around each, four times as wide as the cells
+  /// of `fit_gaussian_mixture()`. Strays, with less than a hundredth of the points of the largest
+  /// part, are left out. A part has the box of all, and no sources. O(cells log cells).
   std::vector<Gaussian_mixture_builder_3> split() const
   {
     constexpr std::int32_t gap = 4;      // thin twigs have a few empty cells

@@ -21,16 +21,18 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-// Archives in the sense of Boost.Serialization, for numbers, arrays of numbers and strings. Those of
-// Boost are not for files that go from machine to machine: the binary one depends on the machine, the
-// text one is three times as large, and a newer Boost writes what an older one refuses.
+// Archives in the sense of Boost.Serialization, for numbers, arrays of numbers and strings. Those
+// of Boost are not for files that go from machine to machine: the binary one depends on the
+// machine, the text one is three times as large, and a newer Boost writes what an older one
+// refuses.
 
 /// The numbers that archives take: each has 64 bits.
 template <typename T>
 constexpr bool is_archived =
     std::is_same<T, std::uint64_t>::value || std::is_same<T, double>::value;
 
-/// Writes numbers to a stream, the lowest byte first on any machine, and their checksum behind them.
+/// Writes numbers to a stream, the lowest byte first on any machine, and their checksum behind
+/// them.
 class Byte_writer
 {
 public:

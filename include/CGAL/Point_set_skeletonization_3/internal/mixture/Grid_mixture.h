@@ -249,8 +249,8 @@ inline Grid_mixture grid_mixture(const Normalized_points& points, const Grid_opt
   return result;
 }
 
-/// The same for the moments of a builder, whose bound on the number of cells holds. O(cells) per step
-/// of the search for the width.
+/// The same for the moments of a builder, whose bound on the number of cells holds. O(cells) per
+/// step of the search for the width.
 inline Grid_mixture grid_mixture(const Moment_grid& fine, Grid_options options,
                                  std::size_t number_of_levels)
 {

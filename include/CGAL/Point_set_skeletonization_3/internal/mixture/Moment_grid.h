@@ -87,8 +87,8 @@ private:
 };
 
 /// The moments of points in the cells of the finest cubic grid with a bounded number of them, which
-/// depends on the set of points only. Grids of parts of the points add up to the grid of all, bit for
-/// bit.
+/// depends on the set of points only. Grids of parts of the points add up to the grid of all, bit
+/// for bit.
 class Moment_grid
 {
 public:
@@ -132,8 +132,8 @@ public:
     return result;
   }
 
-  /// Writes the grid to an archive as of Boost.Serialization: the cells in order, whatever the order
-  /// in which they came. O(cells log cells).
+  /// Writes the grid to an archive as of Boost.Serialization: the cells in order, whatever the
+  /// order in which they came. O(cells log cells).
   template <typename Archive>
   void save(Archive& archive, unsigned int) const
   {

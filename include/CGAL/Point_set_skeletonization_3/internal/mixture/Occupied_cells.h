@@ -150,8 +150,9 @@ inline Fine_cells fine_cells(const Normalized_points& points, std::size_t maximu
   result.cells.resize(points.size(), no_cell);
   const Cell_of_point cell_of(result.grid);
   parallel_for(concurrency, points.number_of_blocks(), [&](std::size_t b) {
-    points.visit_block(
-      b, [&](std::size_t i, const Vector3& p) { result.cells[i] = packed(cell_of(lattice_point(p))); });
+    points.visit_block(b, [&](std::size_t i, const Vector3& p) {
+      result.cells[i] = packed(cell_of(lattice_point(p)));
+    });
   });
   result.cells.erase(std::remove(result.cells.begin(), result.cells.end(), no_cell),
                      result.cells.end());

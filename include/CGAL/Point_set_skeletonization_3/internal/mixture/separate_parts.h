@@ -45,9 +45,9 @@ inline std::vector<std::size_t> touching_parts(const std::vector<std::uint64_t>&
   return result;
 }
 
-/// Divides a cloud into parts with a gap between them that is wider than `gap` cells of its mixture.
-/// Those with less than `stray_share` of the points of the largest one are left out, as strays. The
-/// largest comes first. O(cells log cells).
+/// Divides a cloud into parts with a gap between them that is wider than `gap` cells of its
+/// mixture. Those with less than `stray_share` of the points of the largest one are left out, as
+/// strays. The largest comes first. O(cells log cells).
 inline std::vector<Moment_grid> separate_parts(const Moment_grid& points, std::int32_t gap,
                                                double stray_share)
 {
