@@ -22,9 +22,9 @@ struct Mpi_options : Options
   std::string segment_directory; ///< for the points of each tile with their branch; empty: none
 };
 
-/// Returns nothing if it was only to show help, which the first rank does.
+/// Returns nothing if it was only to show help.
 /// \throw std::runtime_error with a message of one line
-inline std::optional<Mpi_options> parse_mpi_options(int argc, char** argv, bool is_first)
+inline std::optional<Mpi_options> parse_mpi_options(int argc, char** argv)
 {
   Mpi_options options;
   CLI::App app("Curve skeleton of a raw point cloud in tiles, which many processes read.",
@@ -50,12 +50,10 @@ inline std::optional<Mpi_options> parse_mpi_options(int argc, char** argv, bool 
   try {
     app.parse(argc, argv);
   } catch(const CLI::CallForHelp&) {
-    if(is_first)
-      std::cout << app.help();
+    std::cout << app.help();
     return {};
   } catch(const CLI::CallForVersion&) {
-    if(is_first)
-      std::cout << app.version() << '\n';
+    std::cout << app.version() << '\n';
     return {};
   } catch(const CLI::ParseError& error) {
     throw std::runtime_error(std::string(error.what()) + " (try --help)");

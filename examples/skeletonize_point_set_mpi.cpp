@@ -276,25 +276,24 @@ int main(int argc, char** argv)
 {
   end_on_signals(
       [] { CGAL::Point_set_skeletonization_3::internal::unfinished_files().abandon(); });
-  // Only the thread of main() sends; the others are those of TBB in the first rank.
-  const boost::mpi::environment environment(argc, argv, boost::mpi::threading::funneled);
-  const boost::mpi::communicator world;
-  const bool is_first = world.rank() == 0;
   std::string program = "skeletonize_point_set_mpi";
   std::optional<Mpi_options> options;
-  // All ranks have the same command line; one of them complains of it.
   std::exception_ptr error;
   try {
-    options = parse_mpi_options(argc, argv, is_first);
+    options = parse_mpi_options(argc, argv);
+    if(!options)
+      return EXIT_SUCCESS; // it was only to show help
   } catch(const std::exception&) {
     error = std::current_exception();
   }
-  if(error && is_first)
+
+  // Only the thread of main() sends; the others are those of TBB in the first rank.
+  boost::mpi::environment environment(argc, argv, boost::mpi::threading::funneled);
+  const boost::mpi::communicator world;
+  if(error && world.rank() == 0) // all have the same command line, one complains of it
     succeeds(program, [&] { std::rethrow_exception(error); }, "not enough memory");
   if(error)
     return EXIT_FAILURE;
-  if(!options)
-    return EXIT_SUCCESS; // it was only to show help
 
   if(world.size() > 1)
     program += ", rank " + std::to_string(world.rank());

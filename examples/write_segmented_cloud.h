@@ -6,23 +6,12 @@
 
 #include "Segment_tree.h"
 #include "Skeletonized_cloud.h"
+#include "write_little_endian.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <ostream>
 #include <vector>
-
-/// Writes the bytes of a number, the lowest first on any machine.
-template <typename Bits, typename Number>
-void write_little_endian(std::ostream& os, Number number)
-{
-  static_assert(sizeof(Bits) == sizeof(Number), "as many bits as the number has");
-  Bits bits;
-  std::memcpy(&bits, &number, sizeof bits);
-  for(std::size_t byte = 0; byte < sizeof bits; ++byte)
-    os.put(static_cast<char>(bits >> 8 * byte & 0xff));
-}
 
 /// The edges of a skeleton, and its lone vertices as edges of no length.
 inline metrics::Segment_tree segment_tree_of(const Skeletonized_cloud& cloud)

@@ -15,9 +15,9 @@ if(TARGET skeletonize_point_set)
   set_tests_properties(program_signals PROPERTIES RUN_SERIAL ON) # it measures time
 endif()
 if(TARGET skeletonize_point_set_mpi)
-  add_test(NAME program_mpi COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/program_mpi.sh"
-                                    $<TARGET_FILE:skeletonize_point_set_mpi>
-                                    $<TARGET_FILE:skeletonize_point_set>)
+  add_test(NAME program_mpi
+           COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/program_mpi.sh" "${MPIEXEC_EXECUTABLE}"
+                   $<TARGET_FILE:skeletonize_point_set_mpi> $<TARGET_FILE:skeletonize_point_set>)
 endif()
 foreach(program IN ITEMS quality performance compare_skeletons)
   if(TARGET ${program})

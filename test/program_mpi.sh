@@ -1,14 +1,14 @@
 #!/bin/sh
 # Many processes give what one gives, bit for bit, and end together.
-# Usage: program_mpi.sh PROGRAM_MPI PROGRAM
-mpi_program=$1
-shift
+# Usage: program_mpi.sh MPIRUN PROGRAM_MPI PROGRAM
+mpirun=$1 mpi_program=$2
+shift 2
 . "$(dirname "$0")/program.sh"
 # More processes than cores, perhaps as root, perhaps in a container.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 \
   OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_mpi_yield_when_idle=1
 ranks=1
-mpi() { mpirun -n $ranks "$mpi_program" "$@"; }
+mpi() { "$mpirun" -n $ranks "$mpi_program" "$@"; }
 single=$program
 
 awk 'BEGIN { for(i = 0; i < 20000; ++i) { a = i * 2.39996; t = (i + 0.5) / 20000
@@ -78,7 +78,8 @@ stops "another tile has the same name" tile?.xyz other/tile1.xyz --segment-direc
 # A disk that is full. Processes talk without files then.
 program=full_disk
 full_disk() {
-  mpirun -n $ranks --mca btl self,tcp sh -c 'trap "" XFSZ; ulimit -f 1; exec "$0" "$@"' "$mpi_program" "$@"
+  OMPI_MCA_btl=self,tcp "$mpirun" -n $ranks sh -c 'trap "" XFSZ; ulimit -f 1; exec "$0" "$@"' \
+    "$mpi_program" "$@"
 }
 stops "'stopped.ply': check the free space" tile?.xyz -o stopped.ply
 program=mpi
@@ -86,7 +87,7 @@ program=mpi
 # One is killed while it reads.
 for signal in KILL TERM; do
   mkfifo slow.xyz
-  mpirun -n 3 "$mpi_program" tile0.xyz tile1.xyz slow.xyz --box -2 -2 -1 1e13 2 13 --quiet -o stopped.ply \
+  "$mpirun" -n 3 "$mpi_program" tile0.xyz tile1.xyz slow.xyz --box -2 -2 -1 1e13 2 13 --quiet -o stopped.ply \
     > out 2> err & child=$!
   exec 3> slow.xyz
   head -n 1000 tile2.xyz >&3

@@ -67,7 +67,8 @@ public:
   Gaussian_mixture_builder_3() : Gaussian_mixture_builder_3(Bbox_3()) {}
 
   /// \param box contains all points, best their bounding box. A larger one gives a coarser grid: no
-  ///        cell is narrower than 1/4096 of the diagonal. An empty box contains no points.
+  ///        cell is narrower than 1/4096 of the diagonal, or with twice as many `maximum_cells` half
+  ///        of that, down to 1/65536. An empty box contains no points.
   /// \param maximum_cells greatest number of components of the mixture, in [1000, 2^26]. Four times
   ///        as many cells are stored, of about 350 bytes each.
   /// \throws std::invalid_argument if the box is not finite, or a least coordinate greater than the

@@ -212,7 +212,7 @@ TEST_CASE("The grid of the occupied cells is the finest there may be, whatever s
   while(points.size() < 60000)
     points.push_back(points[points.size() - places]);
   std::set<std::uint64_t> expected;
-  int level = finest_level + 1;
+  int level = finest_level(maximum) + 1;
   do {
     --level;
     expected.clear();

@@ -26,7 +26,7 @@ inline constexpr char moments_title[] = "Point_set_skeletonization_3 moments 1\n
 
 /// \ingroup PkgPointSetSkeletonization3Ref
 ///
-/// Writes a builder to a binary stream: the moments of its cells, 168 bytes each, and a checksum.
+/// Writes a builder to a binary stream: the moments of its cells, 160 bytes each, and a checksum.
 /// The bytes are the same on all machines, and for any order in which the points came. O(cells log
 /// cells).
 template <typename Traits>

@@ -17,10 +17,21 @@ namespace internal {
 /// A cell of a cubic grid around the origin: its lower corner in units of its edge length.
 using Grid_cell = std::array<std::int32_t, 3>;
 
-/// Bits of a cell coordinate: normalised coordinates are between -1 and 1, and the finest cells are
-/// 1/4096 wide, which is narrower than any patch.
-constexpr int finest_level = 12;
-constexpr int axis_bits = finest_level + 2;
+/// Bits of a cell coordinate: normalised coordinates are between -1 and 1, and no cells are narrower
+/// than 1/65536. Their neighbours still differ in single precision, which searches use.
+constexpr int finest_level_of_all = 16;
+constexpr int axis_bits = finest_level_of_all + 2;
+
+/// The level of the finest cells, of which as many are wanted as `maximum_cells`: 12 for up to 2^19,
+/// where no patch is narrower; with each doubling one more, as along thin limbs.
+inline int finest_level(std::size_t maximum_cells)
+{
+  int level = 12;
+  for(std::size_t cells = std::size_t(1) << 20;
+      cells <= maximum_cells && level < finest_level_of_all; cells *= 2)
+    ++level;
+  return level;
+}
 
 /// Returns a cell as a number; the order is lexicographic.
 inline std::uint64_t packed(const Grid_cell& cell)
@@ -68,7 +79,7 @@ private:
 /// A cubic grid around the origin with cells of edge length `factor` times 2^-level.
 struct Cubic_grid
 {
-  int level = finest_level;
+  int level = finest_level_of_all;
   std::int32_t factor = 1;
 
   /// Edge length of a cell, in units of the bounding box diagonal.

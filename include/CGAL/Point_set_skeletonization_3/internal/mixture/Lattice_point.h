@@ -17,7 +17,7 @@ namespace internal {
 /// sums do not depend on the order.
 using Lattice_point = std::array<std::int64_t, 3>;
 
-/// A step of the lattice is a 2^32nd of the finest cell, so less than a nanometre in a box of ten
+/// A step of the lattice is a 2^28th of the finest cell, so less than a nanometre in a box of ten
 /// kilometres; and the squares of 2^40 points add up in 128 bits.
 constexpr int lattice_level = 44;
 constexpr double lattice_steps = 0x1p44; ///< Per unit of length.

@@ -92,7 +92,9 @@ private:
 class Moment_grid
 {
 public:
-  explicit Moment_grid(std::size_t maximum_cells) : maximum_cells_(maximum_cells) {}
+  explicit Moment_grid(std::size_t maximum_cells)
+    : maximum_cells_(maximum_cells), grid_{finest_level(maximum_cells), 1}
+  {}
 
   std::size_t maximum_cells() const { return maximum_cells_; }
   const Cubic_grid& grid() const { return grid_; }
@@ -156,7 +158,8 @@ public:
     archive& maximum_cells;
     archive& level;
     archive& size;
-    if(level > finest_level || size > maximum_cells)
+    if(level > static_cast<std::uint64_t>(finest_level(static_cast<std::size_t>(maximum_cells))) ||
+       size > maximum_cells)
       throw std::runtime_error("it is damaged");
     *this = Moment_grid(static_cast<std::size_t>(maximum_cells));
     coarsen_to(static_cast<int>(level));

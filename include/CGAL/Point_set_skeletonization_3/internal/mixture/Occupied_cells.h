@@ -90,8 +90,9 @@ inline int probable_level(const Normalized_points& points, std::size_t maximum_c
     });
   while(points_of_cell * some.cells().size() > size)
     some.coarsen();
+  const int finest = finest_level(maximum_cells);
   int level = some.grid().level;
-  for(std::size_t cells = 4 * some.cells().size(); cells <= maximum_cells && level < finest_level;
+  for(std::size_t cells = 4 * some.cells().size(); cells <= maximum_cells && level < finest;
       cells *= 4) // as on a surface
     ++level;
   return level;
@@ -119,12 +120,13 @@ inline Occupied_cells occupied_cells(const Normalized_points& points, int level,
 inline Occupied_cells occupied_cells(const Normalized_points& points, std::size_t maximum_cells,
                                      Concurrency concurrency, const Progress& progress)
 {
-  int level = finest_level;
+  const int finest = finest_level(maximum_cells);
+  int level = finest;
   if(points.bulk_size() > maximum_cells)
     level = std::min(level, probable_level(points, maximum_cells) + 1);
   for(;; ++level) {
     Occupied_cells result = occupied_cells(points, level, maximum_cells, concurrency, progress);
-    if(level == finest_level || result.grid().level < level) // else a finer grid might do
+    if(level == finest || result.grid().level < level) // else a finer grid might do
       return result;
   }
 }
@@ -145,7 +147,7 @@ inline Fine_cells fine_cells(const Normalized_points& points, std::size_t maximu
     const Occupied_cells occupied = occupied_cells(points, maximum_cells, concurrency, progress);
     return {occupied.grid(), occupied.cells().cells()};
   }
-  Fine_cells result; // one per point, with duplicates
+  Fine_cells result{{finest_level(maximum_cells), 1}, {}}; // one per point, with duplicates
   constexpr std::uint64_t no_cell = ~std::uint64_t(0); // of a point far away
   result.cells.resize(points.size(), no_cell);
   const Cell_of_point cell_of(result.grid);
