@@ -199,6 +199,7 @@ inline void check_moments_input(const Options& options)
   refuse(!options.points.empty(), "--points");
   refuse(!options.segment.empty(), "--segment");
   refuse(!options.box.empty(), "--box");
+  refuse(options.cells != Builder::default_maximum_cells, "--cells"); // which `accumulate` takes
 }
 
 /// All parameters of the published method. The ranges are those of the named parameters.

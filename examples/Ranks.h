@@ -6,6 +6,8 @@
 
 #include <CGAL/IO/Gaussian_mixture_builder_3.h>
 
+#include <boost/interprocess/streams/bufferstream.hpp>
+#include <boost/interprocess/streams/vectorstream.hpp>
 #include <boost/mpi/collectives.hpp>
 #include <boost/mpi/communicator.hpp>
 #include <boost/mpi/request.hpp>
@@ -17,8 +19,6 @@
 #include <exception>
 #include <functional>
 #include <optional>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
@@ -169,9 +169,10 @@ private:
   template <typename Builder>
   void send(int to, const Builder& builder) const
   {
-    std::ostringstream os;
+    boost::interprocess::basic_ovectorstream<std::string> os; // unlike others it copies no bytes
     CGAL::IO::write_moments(os, builder);
-    const std::string bytes = std::move(os).str();
+    std::string bytes;
+    os.swap_vector(bytes);
     world_.send(to, builder_tag, static_cast<std::uint64_t>(bytes.size()));
     for(std::size_t begin = 0; begin < bytes.size(); begin += most_bytes)
       world_.send(to, builder_tag, bytes.data() + begin,
@@ -187,7 +188,7 @@ private:
     for(std::size_t begin = 0; begin < bytes.size(); begin += most_bytes)
       world_.recv(from, builder_tag, &bytes[begin],
                   static_cast<int>(std::min(most_bytes, bytes.size() - begin)));
-    std::istringstream is(std::move(bytes));
+    boost::interprocess::ibufferstream is(bytes.data(), bytes.size());
     Builder builder;
     CGAL::IO::read_moments(is, builder);
     return builder;

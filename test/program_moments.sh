@@ -94,6 +94,7 @@ echo 'tile0_0.xyz 1 0 0 0 1 1' > bad.txt
 refuses "'bad.txt': line 1: give the smallest" accumulate --tiles bad.txt -o c.moments
 refuses "--segment" all.moments --segment s.ply
 refuses "--points" all.moments --points s.xyz
+refuses "--cells" all.moments --cells 5000
 refuses "--as-published" all.moments --as-published
 
 # Files that are no moments, or no longer.

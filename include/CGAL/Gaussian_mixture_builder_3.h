@@ -36,7 +36,7 @@ class L1_medial_skeletonization_3;
 /// larger than memory can be skeletonised: pass it to `extract_l1_medial_skeleton()`,
 /// `L1_medial_skeletonization_3` or `fit_gaussian_mixture()` in place of the points.
 ///
-/// The moments are those of the cells of a grid over a given box. When more than 524 288 cells are
+/// The moments are those of the cells of a grid over a given box. When 524 288 cells are
 /// occupied, 2 x 2 x 2 are merged into one, which is exact. So memory is bounded by about 200 MB
 /// for any number of points, up to 2^40.
 ///

@@ -22,13 +22,13 @@ using Grid_cell = std::array<std::int32_t, 3>;
 constexpr int finest_level_of_all = 16;
 constexpr int axis_bits = finest_level_of_all + 2;
 
-/// The level of the finest cells, of which as many are wanted as `maximum_cells`: 12 for up to 2^19,
+/// The level of the finest cells, if at most `maximum_cells` are wanted: 12 for fewer than 2^20,
 /// where no patch is narrower; with each doubling one more, as along thin limbs.
 inline int finest_level(std::size_t maximum_cells)
 {
   int level = 12;
   for(std::size_t cells = std::size_t(1) << 20;
-      cells <= maximum_cells && level < finest_level_of_all; cells *= 2)
+      cells <= maximum_cells + 1 && level < finest_level_of_all; cells *= 2)
     ++level;
   return level;
 }

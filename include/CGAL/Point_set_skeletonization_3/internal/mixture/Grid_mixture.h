@@ -46,10 +46,17 @@ struct Grid_options
   /// small a cloud each may be the only one on its side of a limb.
   std::size_t minimum_cells = 1000;
 
-  /// Greatest number of cells of the grid that is read first: more than are wanted, so that widths
-  /// can be chosen in small steps.
-  std::size_t maximum_fine_cells() const { return fine_cells_of_cell * maximum_cells; }
-  static constexpr std::size_t fine_cells_of_cell = 4;
+  /// Greatest number of cells of the grid that is read first: four times as many as are wanted, so
+  /// that widths can be chosen in small steps. Less one: tables double when they are full.
+  std::size_t maximum_fine_cells() const { return 4 * maximum_cells - 1; }
+
+  /// The options for a grid that has been read with this bound.
+  static Grid_options of_fine_cells(std::size_t maximum_fine_cells)
+  {
+    Grid_options options;
+    options.maximum_cells = (maximum_fine_cells + 1) / 4;
+    return options;
+  }
 
   /// Greatest number of cells of a cloud.
   std::size_t cells(std::size_t points) const
@@ -254,7 +261,7 @@ inline Grid_mixture grid_mixture(const Normalized_points& points, const Grid_opt
 inline Grid_mixture grid_mixture(const Moment_grid& fine, Grid_options options,
                                  std::size_t number_of_levels)
 {
-  options.maximum_cells = fine.maximum_cells() / Grid_options::fine_cells_of_cell;
+  options.maximum_cells = Grid_options::of_fine_cells(fine.maximum_cells()).maximum_cells;
   options.check();
   const std::size_t points = fine.size();
   Grid_mixture result;

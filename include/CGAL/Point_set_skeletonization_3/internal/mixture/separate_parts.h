@@ -53,8 +53,7 @@ inline std::vector<Moment_grid> separate_parts(const Moment_grid& points, std::i
 {
   if(points.cells().size() == 0)
     return {};
-  Grid_options options;
-  options.maximum_cells = points.maximum_cells() / Grid_options::fine_cells_of_cell;
+  const Grid_options options = Grid_options::of_fine_cells(points.maximum_cells());
   std::vector<std::uint64_t> fine = points.cells().cells();
   std::sort(fine.begin(), fine.end()); // nothing depends on the order in which they came
   const Cubic_grid wide = patch_level(fine, points.grid(), options.cells(points.size()),
