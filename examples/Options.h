@@ -7,7 +7,9 @@
 #include "Format.h"
 #include "outputs.h"
 
+#include <CGAL/Gaussian_mixture_builder_3.h>
 #include <CGAL/Point_set_skeletonization_3/internal/io/Output_file.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <CLI/CLI.hpp>
 
@@ -23,6 +25,14 @@
 #include <system_error>
 #include <vector>
 
+using Builder = CGAL::Gaussian_mixture_builder_3<CGAL::Simple_cartesian<double>>;
+
+/// Whether a file has moments, by its name.
+inline bool is_moments_file(const std::string& filename)
+{
+  return point_files::extension_of(filename) == "moments";
+}
+
 /// The parameters of the published method, by the symbols of the paper; what is not given keeps its
 /// default.
 struct Published_symbols
@@ -32,7 +42,30 @@ struct Published_symbols
   std::optional<std::size_t> iterations, samples, levels, b_min;
 };
 
-/// The command line of `skeletonize_point_set`.
+/// The command line of `skeletonize_point_set accumulate`.
+struct Accumulation
+{
+  std::vector<std::string> files; ///< the tiles
+  std::string list;               ///< of more tiles
+  std::string output;
+  std::vector<double> box;      ///< as below
+  std::vector<double> tile_box; ///< of each of the files; empty: all points count
+  std::size_t cells = Builder::default_maximum_cells;
+  bool append = false;
+  std::string format;
+  bool skip_invalid = false;
+  bool quiet = false;
+};
+
+/// The command line of `skeletonize_point_set merge`.
+struct Merging
+{
+  std::vector<std::string> files;
+  std::string output;
+  bool quiet = false;
+};
+
+/// The command line of `skeletonize_point_set` without a command.
 struct Options
 {
   std::string input;           ///< "-": standard input
@@ -49,9 +82,11 @@ struct Options
   Published_symbols published;
   bool single_component = false;
   bool is_tree = false;
+  bool split = false;
   bool stream = false;
   std::vector<double> box; ///< smallest x, y, z, then largest; empty: read the file twice
-  std::size_t sample = 0;  ///< 0: take the vertices
+  std::size_t cells = Builder::default_maximum_cells; ///< greatest number of the mixture
+  std::size_t sample = 0;                             ///< 0: take the vertices
   int threads = 0;        ///< 0: all cores
   unsigned int seed = 0;
   bool stats = false;
@@ -77,6 +112,31 @@ inline void check_output(const std::string& filename, const std::string& input)
     fail("it is no ordinary file");
   if(std::filesystem::equivalent(path, input, ignored))
     fail("it is the input");
+}
+
+/// The name of an output with the number of a part, padded with zeros: `plot.ply`, `plot_007.ply`.
+inline std::string name_of_part(const std::string& filename, std::size_t part, std::size_t parts)
+{
+  using CGAL::Point_set_skeletonization_3::internal::ends_with;
+  if(filename.empty())
+    return filename;
+  const std::string two = ".polylines.txt"; // the only ending with two dots
+  const std::size_t ending = ends_with(filename, two)
+                                 ? two.size()
+                                 : std::filesystem::path(filename).extension().string().size();
+  const std::string number = std::to_string(part), last = std::to_string(parts);
+  return filename.substr(0, filename.size() - ending) + '_' +
+         std::string(last.size() - number.size(), '0') + number +
+         filename.substr(filename.size() - ending);
+}
+
+/// The options for the outputs of a part.
+inline Options options_of_part(Options options, std::size_t part, std::size_t parts)
+{
+  for(std::string& output : options.outputs)
+    output = name_of_part(output, part, parts);
+  options.branches = name_of_part(options.branches, part, parts);
+  return options;
 }
 
 inline void check_outputs(const Options& options)
@@ -108,11 +168,38 @@ inline void check_outputs(const Options& options)
 }
 
 /// \throw std::runtime_error
-inline void check_box(const std::vector<double>& box)
+inline void check_box(const std::string& option, const std::vector<double>& box)
 {
   for(std::size_t k = 0; k < box.size() / 2; ++k)
     if(!std::isfinite(box[k]) || !std::isfinite(box[k + 3]) || box[k] > box[k + 3])
-      throw std::runtime_error("--box: give the smallest x, y and z, then the largest");
+      throw std::runtime_error(option + ": give the smallest x, y and z, then the largest");
+}
+
+/// \throw std::runtime_error
+inline void check_moments_output(const std::string& filename,
+                                 const std::vector<std::string>& inputs)
+{
+  if(!is_moments_file(filename))
+    throw std::runtime_error("cannot write '" + filename + "': name it .moments");
+  for(const std::string& input : inputs)
+    check_output(filename, input);
+}
+
+/// Of a cloud of which only moments are known.
+/// \throw std::runtime_error
+inline void check_moments_input(const Options& options)
+{
+  const auto refuse = [&options](bool is_given, const std::string& option) {
+    if(is_given)
+      throw std::runtime_error("'" + options.input + "' has moments, no points: do without " +
+                               option);
+  };
+  refuse(options.as_published, "--as-published");
+  refuse(options.sample != 0, "--sample");
+  refuse(!options.points.empty(), "--points");
+  refuse(!options.segment.empty(), "--segment");
+  refuse(!options.box.empty(), "--box");
+  refuse(options.cells != Builder::default_maximum_cells, "--cells"); // which `accumulate` takes
 }
 
 /// All parameters of the published method. The ranges are those of the named parameters.
@@ -149,14 +236,39 @@ inline void add_published_options(CLI::App& app, Published_symbols& symbols)
   add("--d-max", symbols.d_max, tiny, any, "longest edge of a branch, in diagonals [0.15]");
 }
 
+inline void add_output_option(CLI::App& app, Options& options)
+{
+  app.add_option("-o,--output", options.outputs,
+                 "page, picture or skeleton to write, may be repeated: " + output_endings())
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+}
+
+/// What is known of the shape.
+inline void add_topology_options(CLI::App& app, Options& options)
+{
+  app.add_flag("--single-component", options.single_component,
+               "join all parts, for a shape known to be in one piece");
+  app.add_flag("--tree", options.is_tree, "open every cycle, for a shape known to have none");
+  app.add_flag("--split", options.split,
+               "a skeleton for each part that touches no other, as trees: FILE_1, FILE_2, ...");
+}
+
+/// How the program runs and what it reports.
+inline void add_running_options(CLI::App& app, Options& options)
+{
+  app.add_option("--threads", options.threads, "number of threads [all cores]")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  app.add_flag("--stats", options.stats, "print one line of JSON on standard output");
+  app.add_flag("--quiet", options.quiet, "no progress bar and no summary");
+}
+
 /// What is made from branches, and where they start.
 inline void add_branch_options(CLI::App& app, Options& options)
 {
   app.add_option("--branches", options.branches,
                  "write a table of the branches, .csv: parent, order, length, radius, volume, angle")
-      ->type_name("FILE");
-  app.add_option("--segment", options.segment,
-                 "write the cloud, .ply: branch, order and distance to the skeleton of each point")
       ->type_name("FILE");
   app.add_option("--root", options.root, "orders count from here: lowest or thickest end [lowest]")
       ->type_name("END")
@@ -172,13 +284,84 @@ inline void add_stream_options(CLI::App& app, Options& options)
   CLI::Option* stream =
       app.add_flag("--stream", options.stream,
                    "read point after point, in little memory for a file of any size");
-  for(const char* other : {"--as-published", "--sample", "--points", "--segment"})
+  for(const char* other : {"--as-published", "--sample", "--points", "--segment"}) {
     stream->excludes(app.get_option(other));
+    app.get_option("--split")->excludes(app.get_option(other));
+  }
   app.add_option("--box", options.box,
                  "XMIN YMIN ZMIN XMAX YMAX ZMAX that contain all points; else read twice")
       ->type_name("X")
       ->expected(6)
       ->needs(stream);
+}
+
+/// What bounds the resolution.
+inline void add_cells_option(CLI::App& app, std::size_t& cells)
+{
+  app.add_option("--cells", cells,
+                 "resolution: at most so many cells, of about 1 kB of memory each [131072]")
+      ->type_name("N")
+      ->check(CLI::Range(std::size_t(1000), std::size_t(1) << 26));
+}
+
+/// How files are read.
+inline void add_reading_options(CLI::App& app, std::string& format, bool& skip_invalid)
+{
+  app.add_option("--format", format, "of the input, by its extension [as it is called]")
+      ->type_name("EXTENSION");
+  app.add_flag("--skip-invalid", skip_invalid,
+               "leave out and count rows of the input that are no finite point");
+}
+
+inline void add_tile_list_option(CLI::App& app, std::string& list)
+{
+  app.add_option("--tiles", list, "a list of more tiles: a line for each, FILE [TILE_BOX]")
+      ->type_name("FILE");
+}
+
+/// Of a cloud in tiles.
+inline void add_box_option(CLI::App& app, std::vector<double>& box)
+{
+  app.add_option("--box", box,
+                 "XMIN YMIN ZMIN XMAX YMAX ZMAX that contain all points of all tiles, the same for "
+                 "files to be merged; else the tiles are read twice")
+      ->type_name("X")
+      ->expected(6);
+}
+
+inline CLI::App& add_accumulate_command(CLI::App& app, Accumulation& job)
+{
+  CLI::App& command = *app.add_subcommand(
+      "accumulate", "reads the tiles of a large cloud into a file of moments, a kind of INPUT");
+  CLI::Option* files = command.add_option("TILE", job.files, "a file with a part of the cloud");
+  add_tile_list_option(command, job.list);
+  command.add_option("-o,--output", job.output, "file to write, .moments")
+      ->type_name("FILE")
+      ->required();
+  add_box_option(command, job.box);
+  command
+      .add_option("--tile-box", job.tile_box,
+                  "what counts of a TILE, if tiles overlap; points on its upper sides do not")
+      ->type_name("X")
+      ->expected(6)
+      ->needs(files);
+  command.add_flag("--append", job.append,
+                   "go on with the file if it is there, and save it after each tile");
+  add_cells_option(command, job.cells);
+  add_reading_options(command, job.format, job.skip_invalid);
+  command.add_flag("--quiet", job.quiet, "no progress bar and no summary");
+  return command;
+}
+
+inline CLI::App& add_merge_command(CLI::App& app, Merging& job)
+{
+  CLI::App& command = *app.add_subcommand("merge", "adds up files of moments with the same box");
+  command.add_option("FILE", job.files, "files of moments")->required();
+  command.add_option("-o,--output", job.output, "file to write, .moments")
+      ->type_name("FILE")
+      ->required();
+  command.add_flag("--quiet", job.quiet, "no summary");
+  return command;
 }
 
 /// What is to be done with several inputs.
@@ -206,6 +389,16 @@ inline void add_batch_options(CLI::App& app, Batch& batch)
     directory->excludes(app.get_option(other));
 }
 
+/// \throw std::runtime_error
+inline void create_folder(const std::string& name)
+{
+  std::error_code error;
+  if(!name.empty())
+    std::filesystem::create_directories(name, error);
+  if(error)
+    throw std::runtime_error("cannot create the folder '" + name + "': " + error.message());
+}
+
 /// Returns the options for each input. \throw std::runtime_error
 inline std::vector<Options> jobs_of(const Batch& batch, Options options)
 {
@@ -229,63 +422,65 @@ inline std::vector<Options> jobs_of(const Batch& batch, Options options)
     }
     jobs.push_back(options);
   }
-  if(!batch.directory.empty()) {
-    std::error_code error;
-    std::filesystem::create_directories(batch.directory, error);
-    if(error)
-      throw std::runtime_error("cannot create the folder '" + batch.directory +
-                               "': " + error.message());
-  }
-  for(const Options& job : jobs)
+  create_folder(batch.directory);
+  for(const Options& job : jobs) {
     check_outputs(job);
+    if(is_moments_file(job.input))
+      check_moments_input(job);
+  }
   return jobs;
 }
 
-/// Returns what is to be done, one input after the other; nothing if it was only to show help.
+/// What is to be done; nothing if it was only to show help.
+struct Command_line
+{
+  std::vector<Options> jobs; ///< One input after the other.
+  std::optional<Accumulation> accumulation;
+  std::optional<Merging> merging;
+};
+
 /// \throw std::runtime_error with a message of one line
-inline std::vector<Options> parse_options(int argc, char** argv)
+inline Command_line parse_options(int argc, char** argv)
 {
   Options options;
   Batch batch;
+  Accumulation accumulation;
+  Merging merging;
   CLI::App app("Curve skeleton of a raw point cloud: no normals, no mesh needed.",
                "skeletonize_point_set");
   app.footer("Examples:\n"
              "  skeletonize_point_set scan.ply -o skeleton.html -o skeleton.vtp\n"
              "  skeletonize_point_set tree.las -o cylinders.csv --branches branches.csv\n"
              "  skeletonize_point_set *.ply --output-directory skeletons -f swc -f png\n"
+             "  skeletonize_point_set accumulate plot/*.las -o plot.moments\n"
              "An output is complete or not there. The exit code is 0, or 1 if anything failed.");
   app.set_version_flag("--version", std::string("skeletonize_point_set ") + VERSION);
-  app.add_option("INPUT", batch.inputs, point_files::names_of_formats() +
-                                            " or - for standard input; of a mesh, its vertices")
-      ->required();
-  app.add_option("--format", options.format, "of INPUT, by its extension [as it is called]")
-      ->type_name("EXTENSION");
-  app.add_flag("--skip-invalid", options.skip_invalid,
-               "leave out and count rows of INPUT that are no finite point");
-  app.add_option("-o,--output", options.outputs,
-                 "page, picture or skeleton to write, may be repeated: " + output_endings())
-      ->type_name("FILE")
-      ->allow_extra_args(false);
+  const CLI::App& accumulate = add_accumulate_command(app, accumulation);
+  const CLI::App& merge = add_merge_command(app, merging);
+  app.add_option("INPUT", batch.inputs,
+                 point_files::names_of_formats() +
+                     " or - for standard input; of a mesh, its vertices; or .moments");
+  add_reading_options(app, options.format, options.skip_invalid);
+  add_output_option(app, options);
   add_branch_options(app, options);
+  app.add_option("--segment", options.segment,
+                 "write the cloud, .ply: branch, order and distance to the skeleton of each point")
+      ->type_name("FILE");
   app.add_option("--points", options.points,
                  "also write the points it was computed from, .xyz; for --sample")
       ->type_name("FILE");
-  app.add_flag("--single-component", options.single_component,
-               "join all parts, for a shape known to be in one piece");
-  app.add_flag("--tree", options.is_tree, "open every cycle, for a shape known to have none");
+  add_topology_options(app, options);
   app.add_flag("--as-published", options.as_published, "the published method, for comparison");
   add_published_options(app, options.published);
   app.add_option("--sample", options.sample, "draw N points from the surface of a mesh instead")
       ->type_name("N")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+  add_cells_option(app, options.cells);
+  app.get_option("--as-published")->excludes(app.get_option("--cells"));
   add_stream_options(app, options);
   add_batch_options(app, batch);
-  app.add_option("--threads", options.threads, "number of threads [all cores]")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
   app.add_option("--seed", options.seed, "seed of everything random [0]")->type_name("N");
-  app.add_flag("--stats", options.stats, "print one line of JSON on standard output");
-  app.add_flag("--quiet", options.quiet, "no progress bar and no summary");
+  add_running_options(app, options);
   try {
     app.parse(argc, argv);
   } catch(const CLI::CallForHelp&) {
@@ -297,8 +492,22 @@ inline std::vector<Options> parse_options(int argc, char** argv)
   } catch(const CLI::ParseError& error) {
     throw std::runtime_error(std::string(error.what()) + " (try --help)");
   }
-  check_box(options.box);
-  return jobs_of(batch, options);
+  for(const auto* box : {&options.box, &accumulation.box})
+    check_box("--box", *box);
+  check_box("--tile-box", accumulation.tile_box);
+  if(accumulate) {
+    if(accumulation.files.empty() && accumulation.list.empty())
+      throw std::runtime_error("accumulate: give a TILE or a list of --tiles (try --help)");
+    check_moments_output(accumulation.output, accumulation.files);
+    return {{}, accumulation, {}};
+  }
+  if(merge) {
+    check_moments_output(merging.output, merging.files);
+    return {{}, {}, merging};
+  }
+  if(batch.inputs.empty())
+    throw std::runtime_error("INPUT is required (try --help)");
+  return {jobs_of(batch, options), {}, {}};
 }
 
 #endif // POINT_SET_SKELETONIZATION_3_EXAMPLES_OPTIONS_H

@@ -1,4 +1,4 @@
-# What the program needs to write pages (three.js) and pictures (cairo); without, it refuses them.
+# What the programs need to write pages (three.js) and pictures (cairo); without, they refuse them.
 set(JAVASCRIPT_DIR /usr/share/javascript CACHE PATH "Where JavaScript libraries are")
 set(page_files page/skeleton.html page/skeleton.css page/skeleton.js)
 foreach(script IN ITEMS
@@ -21,18 +21,21 @@ else()
     WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}"
     DEPENDS embed_files.cmake ${page_files}
     VERBATIM)
-  target_sources(skeletonize_point_set PRIVATE write_page.cpp "${embedded}")
-  target_include_directories(skeletonize_point_set PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
-  target_compile_definitions(skeletonize_point_set PRIVATE WITH_THREE_JS)
+  add_library(pages STATIC write_page.cpp "${embedded}")
+  target_include_directories(pages PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
+  target_link_libraries(pages PRIVATE development nlohmann_json::nlohmann_json)
+  target_compile_definitions(pages INTERFACE WITH_THREE_JS)
+  target_link_libraries(program INTERFACE pages)
 endif()
 
 find_path(CAIRO_INCLUDE_DIR cairo.h PATH_SUFFIXES cairo)
 find_library(CAIRO_LIBRARY cairo)
 if(CAIRO_INCLUDE_DIR AND CAIRO_LIBRARY)
-  target_sources(skeletonize_point_set PRIVATE draw_picture.cpp)
-  target_include_directories(skeletonize_point_set PRIVATE "${CAIRO_INCLUDE_DIR}")
-  target_link_libraries(skeletonize_point_set PRIVATE "${CAIRO_LIBRARY}")
-  target_compile_definitions(skeletonize_point_set PRIVATE WITH_CAIRO)
+  add_library(pictures STATIC draw_picture.cpp)
+  target_include_directories(pictures PRIVATE "${CAIRO_INCLUDE_DIR}")
+  target_link_libraries(pictures PRIVATE development PUBLIC "${CAIRO_LIBRARY}")
+  target_compile_definitions(pictures INTERFACE WITH_CAIRO)
+  target_link_libraries(program INTERFACE pictures)
 else()
   message(STATUS "skeletonize_point_set writes no .png and .svg: there is no cairo. Debian has it in "
                  "libcairo2-dev.")

@@ -6,23 +6,12 @@
 
 #include "Segment_tree.h"
 #include "Skeletonized_cloud.h"
+#include "write_little_endian.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <ostream>
 #include <vector>
-
-/// Writes the bytes of a number, the lowest first on any machine.
-template <typename Bits, typename Number>
-void write_little_endian(std::ostream& os, Number number)
-{
-  static_assert(sizeof(Bits) == sizeof(Number), "as many bits as the number has");
-  Bits bits;
-  std::memcpy(&bits, &number, sizeof bits);
-  for(std::size_t byte = 0; byte < sizeof bits; ++byte)
-    os.put(static_cast<char>(bits >> 8 * byte & 0xff));
-}
 
 /// The edges of a skeleton, and its lone vertices as edges of no length.
 inline metrics::Segment_tree segment_tree_of(const Skeletonized_cloud& cloud)
@@ -43,27 +32,47 @@ inline metrics::Segment_tree segment_tree_of(const Skeletonized_cloud& cloud)
   return metrics::Segment_tree(std::move(segments));
 }
 
-/// Writes the points as a binary PLY with the `branch` of each, the `order` of that branch, and its
+/// Writes points as a binary PLY with the `branch` of each, the `order` of that branch, and its
 /// `distance` to the skeleton. Branch and order are -1 for a point that belongs to no vertex.
+class Segmented_points
+{
+public:
+  /// Of `size` points. Refers to the cloud, of which the skeleton is used.
+  Segmented_points(std::ostream& os, const Skeletonized_cloud& cloud, std::size_t size)
+      : os_(os)
+      , cloud_(cloud)
+      , tree_(segment_tree_of(cloud))
+  {
+    os_ << "ply\nformat binary_little_endian 1.0\n"
+        << "comment branch and order are -1 for outliers\n"
+        << "element vertex " << size << '\n'
+        << "property double x\nproperty double y\nproperty double z\n"
+        << "property int branch\nproperty int order\nproperty double distance\nend_header\n";
+  }
+
+  void write(const Skeletonized_cloud::Point& p, std::uint32_t branch)
+  {
+    for(double x : {p.x(), p.y(), p.z()})
+      write_little_endian<std::uint64_t>(os_, x);
+    const bool is_outlier = branch == Skeletonized_cloud::no_branch;
+    const std::size_t order = is_outlier ? 0 : cloud_.skeleton.branches[branch].order;
+    write_little_endian<std::uint32_t>(os_, is_outlier ? -1 : static_cast<std::int32_t>(branch));
+    write_little_endian<std::uint32_t>(os_, is_outlier ? -1 : static_cast<std::int32_t>(order));
+    write_little_endian<std::uint64_t>(os_, tree_.nearest(p).distance);
+  }
+
+private:
+  std::ostream& os_;
+  const Skeletonized_cloud& cloud_;
+  metrics::Segment_tree tree_;
+};
+
+/// The same for all points of a cloud.
 inline void write_segmented_cloud(std::ostream& os, const Skeletonized_cloud& cloud)
 {
-  os << "ply\nformat binary_little_endian 1.0\n"
-     << "comment branch and order are -1 for outliers\n"
-     << "element vertex " << cloud.points.size() << '\n'
-     << "property double x\nproperty double y\nproperty double z\n"
-     << "property int branch\nproperty int order\nproperty double distance\nend_header\n";
-  const metrics::Segment_tree tree = segment_tree_of(cloud);
-  for(std::size_t i = 0; i < cloud.points.size(); ++i) {
-    const auto& p = cloud.points[i];
-    for(double x : {p.x(), p.y(), p.z()})
-      write_little_endian<std::uint64_t>(os, x);
-    const std::uint32_t b = cloud.branch_of_point[i];
-    const bool is_outlier = b == Skeletonized_cloud::no_branch;
-    const std::size_t order = is_outlier ? 0 : cloud.skeleton.branches[b].order;
-    write_little_endian<std::uint32_t>(os, is_outlier ? -1 : static_cast<std::int32_t>(b));
-    write_little_endian<std::uint32_t>(os, is_outlier ? -1 : static_cast<std::int32_t>(order));
-    write_little_endian<std::uint64_t>(os, tree.nearest(p).distance);
-  }
+  Segmented_points points(os, cloud, cloud.points.size());
+  for(std::size_t i = 0; i < cloud.points.size(); ++i)
+    points.write(cloud.points[i], cloud.branch_of_point[i]);
 }
 
 #endif // POINT_SET_SKELETONIZATION_3_EXAMPLES_WRITE_SEGMENTED_CLOUD_H

@@ -156,22 +156,6 @@ Skeleton extract_from(const py::object& points, std::optional<int> threads,
   return result;
 }
 
-Skeleton skeletonize(const py::object& points, bool single_component, bool is_tree,
-                     std::optional<int> threads, const py::object& progress)
-{
-  return extract_from(
-      points, threads, progress,
-      [&](const auto& rows, const auto& map, Graph& graph, const auto& callback) {
-        return CGAL::extract_l1_medial_skeleton<CGAL::Parallel_if_available_tag>(
-            rows, graph,
-            CGAL::parameters::single_component(
-                single_component,
-                CGAL::parameters::is_tree(is_tree, CGAL::parameters::point_map(map)
-                                                       .geom_traits(Kernel())
-                                                       .callback(callback))));
-      });
-}
-
 using Real = std::optional<double>;
 using Count = std::optional<std::size_t>;
 
@@ -183,6 +167,27 @@ void check(const char* name, const std::optional<Number>& value, bool is_in_rang
   if(value && !is_in_range)
     throw py::value_error(std::string(name) + " must be " + range + ", not " +
                           std::string(py::str(py::cast(*value))));
+}
+
+Skeleton skeletonize(const py::object& points, bool single_component, bool is_tree,
+                     std::size_t maximum_cells, std::optional<int> threads,
+                     const py::object& progress)
+{
+  check("maximum_cells", Count(maximum_cells),
+        maximum_cells >= 1000 && maximum_cells <= std::size_t(1) << 26, "in [1000, 2^26]");
+  return extract_from(
+      points, threads, progress,
+      [&](const auto& rows, const auto& map, Graph& graph, const auto& callback) {
+        return CGAL::extract_l1_medial_skeleton<CGAL::Parallel_if_available_tag>(
+            rows, graph,
+            CGAL::parameters::maximum_cells(
+                maximum_cells,
+                CGAL::parameters::single_component(
+                    single_component,
+                    CGAL::parameters::is_tree(is_tree, CGAL::parameters::point_map(map)
+                                                           .geom_traits(Kernel())
+                                                           .callback(callback)))));
+      });
 }
 
 Skeleton skeletonize_as_published(const py::object& points, bool tuned, bool halt,
@@ -282,19 +287,21 @@ PYBIND11_MODULE(_core, module)
       });
 
   module.def("skeletonize", &skeletonize, "points"_a, py::kw_only(), "single_component"_a = false,
-             "is_tree"_a = false, "threads"_a = py::none(), "progress"_a = py::none(),
+             "is_tree"_a = false, "maximum_cells"_a = 131072, "threads"_a = py::none(),
+             "progress"_a = py::none(),
              R"(Extracts the curve skeleton of a point cloud.
 
 points: array of shape (n, 3), float32 or float64 in any layout, which is not copied; in any unit.
     It must not change meanwhile. Other numbers are converted.
 single_component: join all components, for a shape known to be in one piece.
 is_tree: open every cycle, for a shape known to have none.
+maximum_cells: the resolution, at most so many grid cells of about 1 kB of memory each.
 threads: number of threads; None: all cores. The result does not depend on it.
 progress: called with the progress in [0, 1]; returning False cancels (RuntimeError).
 
 Raises ValueError if the shape is another one or a coordinate is not finite; the message names the
 row. Ctrl-C cancels. Other Python threads go on meanwhile. Time is O(n), and O(m log m) for
-m <= 131072 grid cells.)");
+m <= maximum_cells grid cells.)");
 
   module.def(
       "skeletonize_as_published", &skeletonize_as_published, "points"_a, py::kw_only(),

@@ -1,9 +1,8 @@
 # The tests that run our programs, and other projects that use us.
 if(TARGET skeletonize_point_set)
   set(names program_usage program_input program_robust program_output program_signals program_many
-            picture)
-  get_target_property(definitions skeletonize_point_set COMPILE_DEFINITIONS)
-  if("WITH_CAIRO" IN_LIST definitions AND "WITH_THREE_JS" IN_LIST definitions)
+            program_moments picture recipes)
+  if(TARGET pages AND TARGET pictures)
     list(APPEND names program_views)
     if(Point_set_skeletonization_3_COMPARISON)
       list(APPEND names page) # in a browser
@@ -14,6 +13,11 @@ if(TARGET skeletonize_point_set)
                                   $<TARGET_FILE:skeletonize_point_set>)
   endforeach()
   set_tests_properties(program_signals PROPERTIES RUN_SERIAL ON) # it measures time
+endif()
+if(TARGET skeletonize_point_set_mpi)
+  add_test(NAME program_mpi
+           COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/program_mpi.sh" "${MPIEXEC_EXECUTABLE}"
+                   $<TARGET_FILE:skeletonize_point_set_mpi> $<TARGET_FILE:skeletonize_point_set>)
 endif()
 foreach(program IN ITEMS quality performance compare_skeletons)
   if(TARGET ${program})

@@ -63,6 +63,14 @@ public:
                                    box.upper().x(), box.upper().y(), box.upper().z());
   }
 
+  /// Writes or reads what is known of the points, for archives as those of Boost.Serialization: for
+  /// `merge()` in another process.
+  template <typename Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive & bulk_ & number_of_points_;
+  }
+
   /// Number of points outside of it. \pre `end_pass()` returned `true`
   std::size_t number_of_far_points() const { return bulk_.number_of_far(); }
 

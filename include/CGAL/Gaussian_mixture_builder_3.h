@@ -12,15 +12,20 @@
 #include <CGAL/Point_set_skeletonization_3/internal/interface/public_data.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Grid_mixture.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Moment_grid.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/separate_parts.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 
@@ -33,14 +38,17 @@ class L1_medial_skeletonization_3;
 /// larger than memory can be skeletonised: pass it to `extract_l1_medial_skeleton()`,
 /// `L1_medial_skeletonization_3` or `fit_gaussian_mixture()` in place of the points.
 ///
-/// The moments are those of the cells of a grid over a given box. When more than 524 288 cells are
+/// The moments are those of the cells of a grid over a given box. When 524 288 cells are
 /// occupied, 2 x 2 x 2 are merged into one, which is exact. So memory is bounded by about 200 MB
-/// for any number of points.
+/// for any number of points, up to 2^40.
 ///
-/// The result does not depend on how the points are divided into chunks, bit for bit. If the box is
-/// the bounding box of the points, it has the moments of the whole range given at once, up to
-/// rounding. A different order of the points, or merging builders (one per thread or machine),
-/// changes them by rounding only.
+/// Points are rounded to a 2^44th of the box's diagonal, and their sums are integers. So the result
+/// does not depend, bit for bit, on the order of the points, on how they are divided into chunks or
+/// among builders (one per thread or machine), nor on how builders are merged. With the box of
+/// `Bulk_bbox_3` it is that of the whole range given at once.
+///
+/// `CGAL/IO/Gaussian_mixture_builder_3.h` writes and reads builders. They can also be serialised by
+/// Boost.Serialization, after `boost/serialization/array.hpp` is included.
 ///
 /// \tparam Traits a model of `L1MedialSkeletonizationTraits_3`
 template <typename Traits>
@@ -53,18 +61,30 @@ public:
   using FT = typename Traits::FT;
   using Point_3 = typename Traits::Point_3;
 
+  /// The default of `maximum_cells`.
+  static constexpr std::size_t default_maximum_cells =
+    Point_set_skeletonization_3::internal::Grid_options::default_maximum_cells;
+
+  /// Of an empty box, to be replaced by another one.
+  Gaussian_mixture_builder_3() : Gaussian_mixture_builder_3(Bbox_3()) {}
+
   /// \param box contains all points, best their bounding box. A larger one gives a coarser grid: no
-  ///        cell is narrower than 1/4096 of the diagonal. An empty box contains no points.
+  ///        cell is narrower than 1/4096 of the diagonal, or with twice as many `maximum_cells` half
+  ///        of that, down to 1/65536. An empty box contains no points.
+  /// \param maximum_cells greatest number of components of the mixture, in [1000, 2^26]. Four times
+  ///        as many cells are stored, of about 350 bytes each.
   /// \throws std::invalid_argument if the box is not finite, or a least coordinate greater than the
   ///         greatest
-  explicit Gaussian_mixture_builder_3(const Bbox_3& box)
-    : box_(box), normalization_(normalization_of(box))
+  explicit Gaussian_mixture_builder_3(const Bbox_3& box,
+                                      std::size_t maximum_cells = default_maximum_cells)
+    : box_(box), normalization_(normalization_of(box)), moments_(fine_cells(maximum_cells))
   {}
 
   /// The same for the box of the bulk of the points: those outside are not refused, but counted as
   /// outliers.
-  explicit Gaussian_mixture_builder_3(const Bulk_bbox_3<Traits>& bulk)
-    : Gaussian_mixture_builder_3(bulk.bbox())
+  explicit Gaussian_mixture_builder_3(const Bulk_bbox_3<Traits>& bulk,
+                                      std::size_t maximum_cells = default_maximum_cells)
+    : Gaussian_mixture_builder_3(bulk.bbox(), maximum_cells)
   {
     leaves_out_far_ = true;
   }
@@ -96,7 +116,8 @@ public:
   /// \throws std::invalid_argument as above
   void insert(const Point_3& point)
   {
-    const auto [x, y, z] = Point_set_skeletonization_3::internal::to_plain(point);
+    namespace internal = Point_set_skeletonization_3::internal;
+    const auto [x, y, z] = internal::to_plain(point);
     const Vector3 p(x, y, z);
     if(!p.allFinite())
       fail("has a coordinate that is not finite; remove or repair it");
@@ -106,30 +127,128 @@ public:
     if(!inside && !leaves_out_far_)
       fail("is outside the given box; enlarge the box");
     if(inside)
-      moments_.add(normalization_.to_unit(p));
+      moments_.add(internal::lattice_point(normalization_.to_unit(p)));
     else
       ++number_of_far_;
     ++number_of_points_;
   }
 
+  /// Notes where points come from, for instance the name of a file: so that nothing is counted
+  /// twice.
+  /// \returns whether that was not noted before
+  bool insert_source(const std::string& name) { return sources_.insert(name).second; }
+
+  /// What was noted.
+  const std::set<std::string>& sources() const { return sources_; }
+
   /// Adds the points of another builder. O(cells).
-  /// \pre `other` has the same box
+  /// \throws std::invalid_argument if `other` has another box or another `maximum_cells`, or a
+  ///         source of this one; then this one is unchanged
   void merge(const Gaussian_mixture_builder_3& other)
   {
-    CGAL_precondition(other.box_ == box_);
+    if(other.box_ != box_ || other.leaves_out_far_ != leaves_out_far_)
+      throw std::invalid_argument("it has another box");
+    if(other.moments_.maximum_cells() != moments_.maximum_cells())
+      throw std::invalid_argument("it has another bound on the number of cells");
+    for(const std::string& source : other.sources_)
+      if(sources_.count(source) > 0)
+        throw std::invalid_argument("it has '" + source + "' as well, which would count twice");
+    sources_.insert(other.sources_.begin(), other.sources_.end());
     moments_.add(other.moments_);
     number_of_points_ += other.number_of_points_;
     number_of_far_ += other.number_of_far_;
   }
 
+  /// The parts that do not touch, such as the trees of a plot without its ground, the largest
+  /// first: for skeletons of their own. There is a gap around each, four times as wide as the cells
+  /// of `fit_gaussian_mixture()`. Strays, with less than a hundredth of the points of the largest
+  /// part, are left out. A part has the box of all, and no sources. O(cells log cells).
+  std::vector<Gaussian_mixture_builder_3> split() const
+  {
+    constexpr std::int32_t gap = 4;      // thin twigs have a few empty cells
+    constexpr double stray_share = 0.01; // as in one skeleton of all
+    std::vector<Gaussian_mixture_builder_3> result;
+    for(auto& part :
+        Point_set_skeletonization_3::internal::separate_parts(moments_, gap, stray_share)) {
+      result.emplace_back(box_);
+      result.back().sources_.clear();
+      result.back().number_of_far_ = 0;
+      result.back().number_of_points_ = part.size();
+      result.back().moments_ = std::move(part);
+    }
+    return result;
+  }
+
   const Bbox_3& box() const { return box_; }
+
+  /// Number of cells stored.
+  std::size_t number_of_cells() const { return moments_.cells().size(); }
 
   /// Number of points inserted, those far from all others included.
   std::size_t number_of_points() const { return number_of_points_; }
 
+  /// Writes or reads the builder, for archives as those of Boost.Serialization. O(cells log cells).
+  template <typename Archive>
+  void serialize(Archive& archive, unsigned int version)
+  {
+    if constexpr(Archive::is_loading::value)
+      load(archive, version);
+    else
+      save(archive, version);
+  }
+
+  /// The writing half of `serialize()`.
+  template <typename Archive>
+  void save(Archive& archive, unsigned int version) const
+  {
+    const std::array<double, 6> box = {
+      {box_.xmin(), box_.ymin(), box_.zmin(), box_.xmax(), box_.ymax(), box_.zmax()}};
+    archive& box;
+    archive& std::uint64_t(leaves_out_far_ ? 1 : 0);
+    archive& std::uint64_t(number_of_points_);
+    archive& std::uint64_t(number_of_far_);
+    archive& std::uint64_t(sources_.size());
+    for(const std::string& source : sources_)
+      archive& source;
+    moments_.save(archive, version);
+  }
+
+  /// The reading half. \throws std::runtime_error if it was no builder that was written
+  template <typename Archive>
+  void load(Archive& archive, unsigned int version)
+  {
+    std::array<double, 6> box;
+    std::uint64_t leaves_out_far, number_of_points, number_of_far, number_of_sources;
+    archive& box;
+    archive& leaves_out_far;
+    archive& number_of_points;
+    archive& number_of_far;
+    archive& number_of_sources;
+    std::set<std::string> sources;
+    for(std::string source; number_of_sources > 0; --number_of_sources) {
+      archive& source;
+      sources.insert(source);
+    }
+    moments_.load(archive, version);
+    box_ = Bbox_3(box[0], box[1], box[2], box[3], box[4], box[5]);
+    normalization_ = normalization_of(box_);
+    leaves_out_far_ = leaves_out_far != 0;
+    number_of_points_ = static_cast<std::size_t>(number_of_points);
+    number_of_far_ = static_cast<std::size_t>(number_of_far);
+    sources_ = std::move(sources);
+  }
+
 private:
   template <typename T, typename ConcurrencyTag>
   friend class L1_medial_skeletonization_3;
+
+  static std::size_t fine_cells(std::size_t maximum_cells)
+  {
+    Point_set_skeletonization_3::internal::Grid_options options;
+    options.maximum_cells = maximum_cells;
+    options.check();
+    return options.maximum_fine_cells();
+  }
 
   static Normalization normalization_of(const Bbox_3& box)
   {
@@ -155,8 +274,8 @@ private:
   std::size_t number_of_points_ = 0;
   bool leaves_out_far_ = false;
   std::size_t number_of_far_ = 0; ///< Of the points.
-  Point_set_skeletonization_3::internal::Moment_grid moments_{
-    Point_set_skeletonization_3::internal::Grid_options().maximum_fine_cells()};
+  std::set<std::string> sources_;
+  Point_set_skeletonization_3::internal::Moment_grid moments_;
 };
 
 } // namespace CGAL

@@ -9,6 +9,7 @@
 #include <CGAL/Curve_skeleton_3.h>
 #include <CGAL/Gaussian_mixture_3.h>
 #include <CGAL/Medial_sample_3.h>
+#include <CGAL/Point_assignment_3.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/Skeletonizer.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/Steps.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/named_parameters.h>
@@ -155,6 +156,15 @@ public:
   /// the tail of the noise, and clusters too small to be part of the shape.
   std::size_t number_of_outliers() const { return skeletonizer_.number_of_outliers(); }
 
+  /// Which vertex of the skeleton a point belongs to, for the points of a builder. O(m) for m
+  /// components.
+  /// \pre `link()` returned `true`; the points came from a builder
+  Point_assignment_3<Traits> point_assignment() const
+  {
+    CGAL_precondition(steps_.done() == 3);
+    return Point_assignment_3<Traits>(skeletonizer_.assignment());
+  }
+
   /// Replaces `skeleton` by the result of step 3. O(n).
   /// \tparam SkeletonGraph `Skeleton`, or a BGL adjacency list whose vertex bundle has `.point` and
   ///         `.radius`. It may have `.indices`, a vector of integers; without, a large cloud takes
@@ -199,9 +209,12 @@ private:
   {
     static_assert(
       Point_set_skeletonization_3::internal::Has_only_input_and<
-        NamedParameters, internal_np::single_component_t, internal_np::is_tree_t>::value,
+        NamedParameters, internal_np::single_component_t, internal_np::is_tree_t,
+        internal_np::maximum_cells_t>::value,
       "unknown named parameter: known are point_map, geom_traits, callback, "
-      "maximum_running_time, single_component, is_tree");
+      "maximum_running_time, single_component, is_tree, maximum_cells");
+    if(const auto cells = Point_set_skeletonization_3::internal::maximum_cells_of(np))
+      skeletonizer_.limit_cells(*cells);
   }
 
   /// Progress after step 2.

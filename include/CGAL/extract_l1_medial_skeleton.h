@@ -49,10 +49,13 @@ namespace CGAL {
 ///       cycle, as that of a tree or a plant: every cycle is opened where the evidence for a limb
 ///       is least, instead of only those without enough of it} \cgalParamType{`bool`}
 ///       \cgalParamDefault{`false`} \cgalParamNEnd
+///     \cgalParamNBegin{maximum_cells} \cgalParamDescription{greatest number of components of the
+///       mixture, in [1000, 2^26]: bounds memory, about 1 kB a component, and the finest detail}
+///       \cgalParamType{`std::size_t`} \cgalParamDefault{131 072} \cgalParamNEnd
 ///   \cgalNamedParamsEnd
 ///
 /// O(n) for reading the points three times; the rest is O(m log m) in practice for m grid cells,
-/// one for two points, at most 131 072.
+/// one for two points, at most `maximum_cells`.
 ///
 /// \returns `false` if the callback cancelled
 /// \throws std::invalid_argument if a coordinate is not finite; the message names the point

@@ -43,6 +43,7 @@ def skeletonize(
     *,
     single_component: bool = ...,
     is_tree: bool = ...,
+    maximum_cells: int = ...,
     threads: Optional[int] = ...,
     progress: Optional[Callable[[float], Optional[bool]]] = ...,
 ) -> Skeleton: ...

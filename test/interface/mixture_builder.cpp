@@ -18,6 +18,8 @@
 #include <CGAL/bounding_box.h>
 #include <CGAL/property_map.h>
 
+#include <boost/graph/connected_components.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -111,24 +113,6 @@ void check_same_bits(const Mixture& a, const Mixture& b)
 // 1e-9, and covariances are differences of squares of at most a few units.
 constexpr double rounding = 1e-8;
 
-void check_equal(const Component& a, const Component& b)
-{
-  REQUIRE(a.weight == b.weight);
-  REQUIRE(std::sqrt(CGAL::squared_distance(a.mean, b.mean)) < rounding);
-  for(std::size_t k = 0; k < 6; ++k)
-    REQUIRE(std::abs(a.covariance[k] - b.covariance[k]) < rounding);
-}
-
-void check_equal(const Mixture& a, const Mixture& b)
-{
-  REQUIRE(a.levels.size() == b.levels.size());
-  for(std::size_t k = 0; k < a.levels.size(); ++k) {
-    REQUIRE(a.levels[k].size() == b.levels[k].size());
-    for(std::size_t i = 0; i < a.levels[k].size(); ++i)
-      check_equal(a.levels[k][i], b.levels[k][i]);
-  }
-}
-
 // Weight, mean and covariance of a union of components, straight from their definition.
 Component total(const std::vector<Component>& parts)
 {
@@ -163,14 +147,14 @@ Points branching(std::size_t size)
   return shapes::to_points<Kernel>(shapes::sample(shapes::y_junction(), size, 5));
 }
 
-// The same graph, but for rounding and the indices, of which a streamed one has none.
+// The same graph, bit for bit, but for the indices, of which a streamed one has none.
 template <typename Curve_skeleton>
 void check_equal(const Curve_skeleton& streamed, const Curve_skeleton& expected)
 {
   REQUIRE(num_vertices(streamed) == num_vertices(expected));
   for(const auto v : CGAL::make_range(vertices(expected))) {
-    REQUIRE(std::sqrt(CGAL::squared_distance(streamed[v].point, expected[v].point)) < rounding);
-    REQUIRE(std::abs(streamed[v].radius - expected[v].radius) < rounding);
+    REQUIRE(streamed[v].point == expected[v].point);
+    REQUIRE(streamed[v].radius == expected[v].radius);
     REQUIRE(streamed[v].indices.empty());
   }
   REQUIRE(num_edges(streamed) == num_edges(expected));
@@ -204,10 +188,10 @@ TEST_CASE("Chunks of any size give the same bits, and the moments of all points 
     CHECK(builder.number_of_points() == points().size());
     check_same_bits(CGAL::fit_gaussian_mixture(builder), expected);
   }
-  check_equal(expected, CGAL::fit_gaussian_mixture<CGAL::Parallel_if_available_tag>(points()));
+  check_same_bits(expected, CGAL::fit_gaussian_mixture<CGAL::Parallel_if_available_tag>(points()));
 }
 
-TEST_CASE("Chunks of random sizes give the same bits, another order of the points only rounding")
+TEST_CASE("Chunks of random sizes give the same bits, and so does any order of the points")
 {
   const Mixture expected = CGAL::fit_gaussian_mixture(built(points(), points().size()));
   for(const unsigned int seed : {1u, 2u}) {
@@ -225,7 +209,7 @@ TEST_CASE("Chunks of random sizes give the same bits, another order of the point
 
     Points shuffled = points();
     std::shuffle(shuffled.begin(), shuffled.end(), generator);
-    check_equal(CGAL::fit_gaussian_mixture(built(shuffled, 10007)), expected);
+    check_same_bits(CGAL::fit_gaussian_mixture(built(shuffled, 10007)), expected);
   }
 }
 
@@ -237,9 +221,9 @@ TEST_CASE("It does not matter which builder gets which points, nor how builders 
   const Builder right = sum(b[0], sum(b[1], b[2]));
   const Builder reversed = sum(sum(b[2], b[1]), b[0]);
   CHECK(left.number_of_points() == points().size());
-  check_equal(CGAL::fit_gaussian_mixture(left), at_once);
-  check_equal(CGAL::fit_gaussian_mixture(right), at_once);
-  check_equal(CGAL::fit_gaussian_mixture(reversed), at_once);
+  check_same_bits(CGAL::fit_gaussian_mixture(left), at_once);
+  check_same_bits(CGAL::fit_gaussian_mixture(right), at_once);
+  check_same_bits(CGAL::fit_gaussian_mixture(reversed), at_once);
 }
 
 TEST_CASE("A builder merged into goes on taking points")
@@ -251,7 +235,7 @@ TEST_CASE("A builder merged into goes on taking points")
   first.merge(second);
   first.merge(Builder(box_of(points()))); // empty
   first.insert(CGAL::make_range(middle, points().end()));
-  check_equal(CGAL::fit_gaussian_mixture(first), CGAL::fit_gaussian_mixture(points()));
+  check_same_bits(CGAL::fit_gaussian_mixture(first), CGAL::fit_gaussian_mixture(points()));
 }
 
 TEST_CASE("Merging cells keeps weight, mean and covariance of all points")
@@ -284,8 +268,8 @@ TEST_CASE("The number of cells is bounded at any time")
   internal::Moment_grid grid(bound);
   shapes::Random random(4);
   for(int i = 0; i < 2000; ++i) {
-    grid.add(internal::Vector3(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5),
-                               random.uniform(-0.5, 0.5)));
+    grid.add(internal::lattice_point(internal::Vector3(
+        random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5))));
     REQUIRE(grid.cells().size() <= bound);
   }
 }
@@ -396,4 +380,74 @@ TEST_CASE("No points, one, many equal ones")
     CHECK(skeleton[0].point == p);
     CHECK(skeleton[0].indices.empty());
   }
+}
+
+TEST_CASE("The number of cells can be chosen, of a builder and of points")
+{
+  const Points cloud = branching(20000);
+  Builder builder(box_of(cloud), 3000);
+  builder.insert(cloud);
+  const Mixture coarse = CGAL::fit_gaussian_mixture(builder);
+  CHECK(coarse.levels.front().size() <= 3000);
+  CHECK(CGAL::fit_gaussian_mixture(cloud).levels.front().size() > 3000);
+  CGAL::L1_medial_skeletonization_3<Kernel> steps(cloud, CGAL::parameters::maximum_cells(3000));
+  REQUIRE(steps.fit_mixture());
+  check_same_bits(steps.mixture(), coarse);
+}
+
+TEST_CASE("Parts that do not touch are split, the largest first, and strays are left out")
+{
+  Points cloud = branching(6000);
+  const CGAL::Bbox_3 box = box_of(cloud);
+  const double side = box.xmax() - box.xmin();
+  for(const Point& p : branching(20000))
+    cloud.emplace_back(p.x() + 1.5 * side, p.y(), p.z());
+  cloud.emplace_back(box.xmin(), box.ymin() - side, box.zmin()); // a stray
+  const Builder builder = built(cloud, 1000);
+  const std::vector<Builder> parts = builder.split();
+  REQUIRE(parts.size() == 2);
+  CHECK(parts[0].number_of_points() == 20000);
+  CHECK(parts[1].number_of_points() == 6000);
+  for(const Builder& part : parts) {
+    Skeleton skeleton;
+    REQUIRE(CGAL::extract_l1_medial_skeleton(part, skeleton));
+    std::vector<std::size_t> component(num_vertices(skeleton));
+    CHECK(boost::connected_components(skeleton, component.data()) == 1);
+  }
+  Points shuffled = cloud;
+  std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(1));
+  const std::vector<Builder> same = built(shuffled, 1000).split();
+  REQUIRE(same.size() == 2);
+  for(std::size_t i = 0; i < 2; ++i)
+    check_same_bits(CGAL::fit_gaussian_mixture(same[i]), CGAL::fit_gaussian_mixture(parts[i]));
+  CHECK(Builder().split().empty());
+}
+
+TEST_CASE("A point read once more finds the vertex that it has in memory")
+{
+  Points cloud = branching(20000);
+  cloud.emplace_back(1e9, 0, 0); // far away
+  CGAL::Bulk_bbox_3<Kernel> bulk;
+  do
+    for(const Point& p : cloud)
+      bulk.insert(p);
+  while(!bulk.end_pass());
+  Builder builder(bulk);
+  builder.insert(cloud);
+  CGAL::L1_medial_skeletonization_3<Kernel> steps(builder);
+  REQUIRE(steps.run());
+  const CGAL::Point_assignment_3<Kernel> assignment = steps.point_assignment();
+
+  Skeleton skeleton;
+  REQUIRE(CGAL::extract_l1_medial_skeleton(cloud, skeleton));
+  std::vector<std::size_t> expected(cloud.size(), assignment.none);
+  for(const auto v : CGAL::make_range(vertices(skeleton)))
+    for(const std::size_t i : skeleton[v].indices)
+      expected[i] = v;
+  std::size_t differences = 0;
+  for(std::size_t i = 0; i < cloud.size(); ++i)
+    differences += assignment(cloud[i]) != expected[i];
+  CHECK(differences == 0);
+  CHECK(assignment(cloud.back()) == assignment.none);
+  CHECK(CGAL::Point_assignment_3<Kernel>()(cloud.front()) == assignment.none);
 }

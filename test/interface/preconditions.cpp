@@ -171,12 +171,11 @@ TEST_CASE("Samples that cannot be violate a precondition")
   CHECK_THROWS_AS(CGAL::link_medial_samples(samples, skeleton), CGAL::Precondition_exception);
 }
 
-TEST_CASE("Builders with different boxes cannot be merged")
+TEST_CASE("A builder has room for at least a thousand components")
 {
   using Builder = CGAL::Gaussian_mixture_builder_3<Kernel>;
   const Silence silence;
-  Builder builder(CGAL::Bbox_3(0, 0, 0, 1, 1, 1));
-  CHECK_THROWS_AS(builder.merge(Builder(CGAL::Bbox_3(0, 0, 0, 1, 1, 2))),
-                  CGAL::Precondition_exception);
-  CHECK_NOTHROW(builder.merge(Builder(builder.box())));
+  const CGAL::Bbox_3 box(0, 0, 0, 1, 1, 1);
+  CHECK_THROWS_AS(Builder(box, 999), CGAL::Precondition_exception);
+  CHECK_NOTHROW(Builder(box, 1000));
 }

@@ -19,6 +19,11 @@ for text in "Without the program skeletonize_point_set: there is no CLI11" \
 done
 if grep -q "CMake Warning\|CMake Error" "$work/log"; then cat "$work/log"; exit 1; fi
 
+# MPI is not there.
+"$cmake" -S "$here/../.." -B "$work/mpi" -G "$generator" -DCMAKE_CXX_COMPILER="$compiler" \
+  -DCMAKE_DISABLE_FIND_PACKAGE_MPI=ON > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+grep -q "Without the program skeletonize_point_set_mpi" "$work/log" || { cat "$work/log"; exit 1; }
+
 # The report's libraries are not there.
 "$cmake" -S "$here/../.." -B "$work/other" -G "$generator" -DCMAKE_CXX_COMPILER="$compiler" \
   -DPoint_set_skeletonization_3_COMPARISON=ON -DJAVASCRIPT_DIR="$work" > "$work/log" 2>&1 ||

@@ -130,21 +130,20 @@ TEST_CASE("Cells with moments have numbers of their own, in the order in which t
   for(const unsigned int seed : seeds) {
     CAPTURE(seed);
     Random_cells cells(seed);
-    const Cubic_grid grid;
     Moment_cells moments;
-    std::map<std::uint64_t, double> weights;
+    std::map<std::uint64_t, std::uint64_t> numbers;
     for(int i = 0; i < 5000; ++i) {
       const Grid_cell cell = cells();
-      moments.add(grid, cell, grid.center(cell));
-      weights[packed(cell)] += 1;
-      REQUIRE(moments.size() == weights.size());
+      moments.add(cell, Lattice_point());
+      ++numbers[packed(cell)];
+      REQUIRE(moments.size() == numbers.size());
       REQUIRE(moments.cells()[moments.number(cell)] == packed(cell));
     }
     const Moment_cells same(moments.cells()); // of the same cells, without moments
     for(std::size_t k = 0; k < moments.size(); ++k) {
-      REQUIRE(moments.moments()[k].weight() == weights.at(moments.cells()[k]));
+      REQUIRE(moments.moments()[k].number() == numbers.at(moments.cells()[k]));
       REQUIRE(same.number(unpacked(moments.cells()[k])) == k);
-      REQUIRE(same.moments()[k].weight() == 0);
+      REQUIRE(same.moments()[k].number() == 0);
     }
   }
 }
@@ -159,8 +158,9 @@ TEST_CASE("The cell around a cell, or a point, is that of whole numbers")
   const Cubic_grid grid{10, 3};
   for(const double x : {-0.4, -1e-9, 0.0, 0.003, 0.25}) {
     CAPTURE(x);
-    const Grid_cell cell = Cell_of_point(grid)(Vector3(x, x, x));
-    const double offset = x - grid.center(cell).x();
-    CHECK(std::abs(offset) <= grid.cell_size() / 2);
+    const Grid_cell cell = Cell_of_point(grid)(lattice_point(Vector3(x, x, x)));
+    CHECK(cell == Grid_cell{{cell[0], cell[0], cell[0]}});
+    CHECK(cell[0] * grid.cell_size() <= x);
+    CHECK(x < (cell[0] + 1) * grid.cell_size());
   }
 }

@@ -132,6 +132,8 @@ class ModuleTest(unittest.TestCase):
             broken[123, 1] = value
             with self.assertRaisesRegex(ValueError, r"\b123\b.*not finite"):
                 skeletonize(broken)
+        with self.assertRaisesRegex(ValueError, r"maximum_cells must be in \[1000"):
+            skeletonize(self.points, maximum_cells=10)
         with self.assertRaisesRegex(ValueError, "threads must be at least 1"):
             skeletonize(self.points, threads=0)
 

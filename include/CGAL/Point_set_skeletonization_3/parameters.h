@@ -8,11 +8,14 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <cstddef>
+
 namespace CGAL {
 namespace internal_np {
 
 enum single_component_t { single_component };
 enum is_tree_t { is_tree };
+enum maximum_cells_t { maximum_cells };
 
 } // namespace internal_np
 
@@ -41,6 +44,9 @@ inline constexpr Parameter<internal_np::single_component_t, bool> single_compone
 
 /// The named parameter `is_tree`.
 inline constexpr Parameter<internal_np::is_tree_t, bool> is_tree{};
+
+/// The named parameter `maximum_cells`.
+inline constexpr Parameter<internal_np::maximum_cells_t, std::size_t> maximum_cells{};
 
 } // namespace parameters
 } // namespace CGAL

@@ -138,7 +138,7 @@ public:
     fit.normal = directions.col(0);
     fit.axis = directions.col(2);
     if(variance[2] > 0)
-      fit.linearity = std::max(0.0, 1 - 4 * variance[1] / variance[2]);
+      fit.linearity = (std::max)(0.0, 1 - 4 * variance[1] / variance[2]);
     fit.thickness = std::sqrt(variance[0]);
     fit.density = sum[0] / (radius_ * radius_);
     // A line has no normal: its sphericity stays 1. Eigenvalues in closed form are that inexact.

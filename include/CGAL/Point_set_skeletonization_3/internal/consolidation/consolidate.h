@@ -98,7 +98,7 @@ struct Consolidation_options
 /// A mixture without noise and outliers: its components are on a surface.
 struct Consolidated_mixture
 {
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
   Gaussians components;
   std::vector<std::size_t> merged_into; ///< For each component before; `none` for outliers.
@@ -122,7 +122,7 @@ public:
                 const Consolidation_options& options, Concurrency concurrency)
     : options_(options), concurrency_(concurrency), tree_(tree), nearest_(nearest),
       spacings_(spacings(nearest)),
-      spacing_(std::max(quantile(spacings_, 0.5), std::numeric_limits<double>::min())),
+      spacing_(std::max(quantile(spacings_, 0.5), (std::numeric_limits<double>::min)())),
       radii_(spacing_), moving_{mixture, means_of(mixture), isolated_components()},
       is_on_line_(mixture.size(), false)
   {}
@@ -224,7 +224,7 @@ private:
     for(std::size_t i = 0; i < densities.size(); ++i)
       if(const std::size_t size = size_for(i); size > 0) { // measured in the narrowest window only
         densities[i] = unknown;
-        widest = std::max(widest, size);
+        widest = (std::max)(widest, size);
       }
     for(int pass = 0; pass < most_passes; ++pass) {
       measure_densities(space, densities);
@@ -266,8 +266,8 @@ private:
   double drowned(const Local_shape& shape) const
   {
     const double ratio = shape.thickness / noise_.thickness;
-    return std::min(
-      1.0, std::max(0.0, (options_.resolved - ratio) / (options_.resolved - options_.drowned)));
+    return (std::min)(
+      1.0, (std::max)(0.0, (options_.resolved - ratio) / (options_.resolved - options_.drowned)));
   }
 
   /// Features of the window around a component. If it contains a whole limb, narrower windows are
@@ -301,8 +301,8 @@ private:
       Vector3& position = moving_.positions[i]; // the windows keep the old positions
       const Local_shape shape = shape_through(views, size[i], position);
       densities[i] = shape.density;
-      const double blob = std::min(
-          1.0, std::max(0.0, (shape.sphericity - options_.plane) / options_.noise.transition));
+      const double blob = (std::min)(
+          1.0, (std::max)(0.0, (shape.sphericity - options_.plane) / options_.noise.transition));
       const Vector3 step = shape.mean - position;
       // Not along a limb, or its components would form clusters.
       const Vector3 across = step - shape.linearity * shape.axis.dot(step) * shape.axis;

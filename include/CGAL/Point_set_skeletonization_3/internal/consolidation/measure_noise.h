@@ -93,7 +93,7 @@ inline std::vector<Local_shape> local_shapes(Scale_space& space, const Moving_mi
 inline double scale_of_normal(const std::vector<double>& values)
 {
   constexpr double tenth = 0.1257, quarter = 0.3186, half = 0.6745; // quantiles of |N(0, 1)|
-  return std::min({quantile(values, 0.1) * (half / tenth),
+  return (std::min)({quantile(values, 0.1) * (half / tenth),
                    quantile(values, 0.25) * (half / quarter), quantile(values, 0.5)});
 }
 
@@ -109,7 +109,7 @@ inline double scatter(const std::vector<Local_shape>& narrowest, const Moving_mi
   std::vector<double> off(narrowest.size());
   parallel_for(concurrency, off.size(), [&](std::size_t i) {
     constexpr std::size_t neighbors = 9; // the component itself and a ring around it
-    const std::size_t size = std::min(neighbors, nearest.k());
+    const std::size_t size = (std::min)(neighbors, nearest.k());
     Vector3 mean = Vector3::Zero();
     for(std::size_t k = 0; k < size; ++k)
       mean += offset[nearest[i][static_cast<std::ptrdiff_t>(k)].index] / static_cast<double>(size);
@@ -149,11 +149,11 @@ inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
       for(const Local_shape& shape : shapes)
         result.densities.push_back(shape.density);
       const double scattered = scatter(shapes, moving, nearest, radii[0], concurrency);
-      result.strength = std::min(
-        1.0, std::max({0.0, (scattered - options.least_scatter) / options.least_scatter,
+      result.strength = (std::min)(
+        1.0, (std::max)({0.0, (scattered - options.least_scatter) / options.least_scatter,
                        (sphericity - options.least_sphericity) / options.transition}));
     }
-    const double odds = sphericity / std::max(1 - sphericity, least);
+    const double odds = sphericity / (std::max)(1 - sphericity, least);
     const double least_fall = odds < 1 ? Window_radii::ratio : 1;
     if(odds * least_fall >= last) // also on a line of points: no normal at any size
       break;

@@ -90,6 +90,27 @@ public:
         }
   }
 
+  /// Writes or reads them, for archives as those of Boost.Serialization.
+  template <typename Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    std::int32_t level = level_;
+    std::uint64_t number = cells_.size();
+    archive & level & number;
+    if constexpr(Archive::is_loading::value) {
+      *this = Bulk_cells();
+      coarsen_to(level);
+      for(; number > 0; --number) {
+        Cell cell;
+        archive & cell.size & cell.box;
+        const Vector3& inside = cell.box.lower();
+        add(cell, corner_of(inside));
+      }
+    } else
+      for(Cell& cell : cells_)
+        archive & cell.size & cell.box;
+  }
+
 private:
   static constexpr std::size_t most_cells = 1 << 12;
   static constexpr int finest_level = -1022, coarsest_level = 1023; ///< Logarithms of widths.
@@ -284,6 +305,13 @@ public:
 
   /// Number of points outside of it. \pre the last pass has ended
   std::size_t number_of_far() const { return number_of_far_; }
+
+  /// Writes or reads what is known, for archives as those of Boost.Serialization.
+  template <typename Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive & not_finite_ & cells_ & box_ & size_ & number_of_far_;
+  }
 
 private:
   /// A box, and whether it contains all cells.

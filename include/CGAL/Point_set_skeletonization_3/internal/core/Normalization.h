@@ -112,6 +112,15 @@ public:
   const Vector3& lower() const { return lower_; }
   const Vector3& upper() const { return upper_; }
 
+  /// Writes or reads the box, for archives as those of Boost.Serialization.
+  template <typename Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    for(Vector3* corner : {&lower_, &upper_})
+      for(Eigen::Index k = 0; k < 3; ++k)
+        archive&(*corner)[k];
+  }
+
   /// The similarity that normalises the points.
   Normalization normalization() const
   {

@@ -43,7 +43,7 @@ public:
       sets_.join(e.first, e.second);
     for(std::size_t v = 0; v < surface_.size(); ++v)
       for(const Vector3& p : surface_[v])
-        extent_[v] = std::max(extent_[v], (p - graph.vertices[v].position).norm());
+        extent_[v] = (std::max)(extent_[v], (p - graph.vertices[v].position).norm());
   }
 
   /// Adds plausible bridges, the shorter first. O(tips times vertices).
@@ -117,7 +117,7 @@ private:
     if(tip.radius < thin && is_gap_below(options_.thin_gap * tip.resolution, end, w))
       return true;
     return points_at(end, w) && (adjacency_[w].size() != 1 || points_at(w, end)) &&
-           is_gap_below(options_.widest_gap * std::max({tip.radius, other.radius, thin}), end, w);
+           is_gap_below(options_.widest_gap * (std::max)({tip.radius, other.radius, thin}), end, w);
   }
 
   void add(std::vector<Bridge> bridges)

@@ -101,14 +101,14 @@ private:
   {
     const Skeleton_graph::Vertex& vertex = graph_.vertices[v];
     return {vertex.position, start_[v].position, least_weight,
-            std::max(vertex.radius, vertex.resolution)};
+            (std::max)(vertex.radius, vertex.resolution)};
   }
 
   /// The target of a vertex.
   Drawn drawn(std::size_t v) const
   {
     const Skeleton_graph::Vertex& vertex = graph_.vertices[v];
-    const double radius = std::max(vertex.radius, vertex.resolution);
+    const double radius = (std::max)(vertex.radius, vertex.resolution);
     const Piece piece = piece_around(v, radius);
     if(!(piece.half_chord > 0)) // a junction
       return not_drawn(v);
@@ -122,7 +122,7 @@ private:
       return not_drawn(v);
     const Vector3 target =
       vertex.position + section.center.x() * e1 + section.center.y() * e2;
-    return {vertex.position, target, weight, std::max(radius, std::sqrt(section.area / CGAL_PI))};
+    return {vertex.position, target, weight, (std::max)(radius, std::sqrt(section.area / CGAL_PI))};
   }
 
   /// Ignores targets outside the shape.
@@ -170,7 +170,7 @@ private:
   {
     // Wide enough for a dozen points around a thin limb, narrow enough for varying thickness.
     const double half_width =
-      std::max(graph_.vertices[v].resolution, options_.half_width * radius);
+      (std::max)(graph_.vertices[v].resolution, options_.half_width * radius);
     // Points of the cross-section may belong to vertices further along the limb, not to other
     // limbs.
     constexpr double reach = 2; // radii
@@ -181,7 +181,7 @@ private:
         const double z = piece.axis.dot(d);
         if(std::abs(z) >= half_width)
           continue;
-        const double t = std::min(1.0, std::abs(z) / piece.half_chord);
+        const double t = (std::min)(1.0, std::abs(z) / piece.half_chord);
         d -= t * t * piece.sag;
         result.emplace_back(e1.dot(d), e2.dot(d));
       }
@@ -262,7 +262,7 @@ private:
       difference.emplace_back(w, 2 * share);
     }
     // Bounds the stiffness of short branches, whose vertices are closer.
-    h = std::max(h, 0.1 * drawn_[v].radius);
+    h = (std::max)(h, 0.1 * drawn_[v].radius);
     const double stiffness = std::pow(options_.stiffness * drawn_[v].radius / h, 4);
     for(const auto& a : difference)
       for(const auto& b : difference)

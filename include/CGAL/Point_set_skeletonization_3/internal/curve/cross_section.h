@@ -72,7 +72,7 @@ inline Cross_section cross_section(const std::vector<Eigen::Vector2d>& boundary)
     double gap = std::atan2(q.y(), q.x()) - angle;
     if(gap <= 0) // from the last to the first
       gap += 2 * CGAL_PI;
-    result.unknown += std::max(0.0, gap - between_points);
+    result.unknown += (std::max)(0.0, gap - between_points);
     const int pieces = 1 + static_cast<int>(gap / step);
     Eigen::Vector2d from = p;
     for(int k = 1; k <= pieces; ++k) {

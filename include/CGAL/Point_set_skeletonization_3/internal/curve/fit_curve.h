@@ -90,7 +90,7 @@ private:
       length += (graph_.vertices[e.first].position - graph_.vertices[e.second].position).norm();
     const double least = length / static_cast<double>(samples_.size());
     graph_ = resampled(graph_, [&](const Skeleton_graph::Vertex& vertex) {
-      return std::max({least, vertex.resolution, options_.step * vertex.radius});
+      return (std::max)({least, vertex.resolution, options_.step * vertex.radius});
     });
   }
 
@@ -167,7 +167,7 @@ private:
             distances.push_back((p - graph_.vertices[w].position).norm());
       double& radius = graph_.vertices[v].radius;
       if(!distances.empty())
-        radius = std::max(radius, std::min(1.0, 2 * noise_) * quantile(std::move(distances), 0.25));
+        radius = (std::max)(radius, (std::min)(1.0, 2 * noise_) * quantile(std::move(distances), 0.25));
     }
   }
 

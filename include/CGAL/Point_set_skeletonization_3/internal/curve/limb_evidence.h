@@ -43,11 +43,11 @@ public:
     const std::size_t step = (patches.size() + enough - 1) / enough;
     double solid = 0, number = 0, width = 0;
     for(std::size_t k = 0; k < patches.size(); k += step, ++number)
-      solid += std::max(0.0, of_solid(patches[k]));
+      solid += (std::max)(0.0, of_solid(patches[k]));
     for(std::size_t i : patches)
       width += (surface_.patches[i].mean - vertex.position).norm();
     width /= static_cast<double>(patches.size());
-    return std::max(solid / number, of_line(vertex.position, std::max(width, vertex.resolution)));
+    return (std::max)(solid / number, of_line(vertex.position, (std::max)(width, vertex.resolution)));
   }
 
 private:

@@ -64,11 +64,11 @@ public:
   }
 
 private:
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
   double weaker_end(const Skeleton_graph::Edge& e) const
   {
-    return std::min(evidence_[e.first], evidence_[e.second]);
+    return (std::min)(evidence_[e.first], evidence_[e.second]);
   }
 
   /// Roots each tree of the forest, by breadth-first search.

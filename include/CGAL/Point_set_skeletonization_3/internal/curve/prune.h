@@ -167,9 +167,9 @@ private:
       const std::vector<double> length = distances(branch, k, branch.size());
       // Without the furthest 5 %, at least two: outliers stick out of the surface.
       const std::size_t last = length.size() - 1;
-      const std::size_t reached = last - std::min(last, std::max<std::size_t>(2, last / 20));
+      const std::size_t reached = last - (std::min)(last, (std::max<std::size_t>)(2, last / 20));
       if(width.back() > 0)
-        result = std::max(result, length[reached] / width.back());
+        result = (std::max)(result, length[reached] / width.back());
     }
     return result;
   }

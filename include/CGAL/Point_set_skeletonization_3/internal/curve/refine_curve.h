@@ -61,7 +61,7 @@ Skeleton_graph resampled(const Skeleton_graph& graph, const Step& step)
 {
   const auto adjacency = graph.adjacency();
   Skeleton_graph result;
-  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
   std::vector<std::size_t> index(graph.vertices.size(), none);
   const auto node = [&](std::size_t v) {
     if(index[v] == none) {
@@ -79,7 +79,7 @@ Skeleton_graph resampled(const Skeleton_graph& graph, const Step& step)
     const bool between_junctions =
       adjacency[branch.front()].size() > 2 && adjacency[branch.back()].size() > 2;
     const double least = is_closed(branch) ? 3 : between_junctions ? 2 : 1;
-    const double pieces = std::max(least, std::round(total));
+    const double pieces = (std::max)(least, std::round(total));
     std::size_t edge = 0;
     double before = 0; // steps
     for(double k = 1; k < pieces; ++k) {
@@ -123,7 +123,7 @@ inline double reach_beyond(const Vector3& tip, const Vector3& direction,
     return 0;
   // The third furthest: two points may be outliers.
   std::nth_element(reach.begin(), reach.begin() + 2, reach.end(), std::greater<double>());
-  return std::max(0.0, reach[2]);
+  return (std::max)(0.0, reach[2]);
 }
 
 /// Moves tips along their branches until the ball there reaches the furthest of the surface points
@@ -139,7 +139,7 @@ inline void extend_tips(Skeleton_graph& graph, const std::vector<std::vector<Vec
     Skeleton_graph::Vertex& end = graph.vertices[v];
     const Vector3 direction = tip_direction(v, graph, adjacency);
     const double reach = reach_beyond(end.position, direction, surface[v]);
-    Vector3 step = std::max(0.0, reach - end.radius) * direction;
+    Vector3 step = (std::max)(0.0, reach - end.radius) * direction;
     constexpr int halvings = 4; // the rest is negligible
     for(int halving = 0; halving < halvings && !inside(end.position + step); ++halving)
       step /= 2;

@@ -75,7 +75,7 @@ public:
     return sets_.find(node(separator, side));
   }
 
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
 private:
   /// Two adjacent nodes, and the overlap of the balls of their patches, in [0, 1].
@@ -164,7 +164,7 @@ inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
     double weight = 0;
     for(std::size_t i : members) {
       // Bounded below, or a single sample would take all the weight.
-      const double distance = std::max((samples[i].position - result.position).norm(),
+      const double distance = (std::max)((samples[i].position - result.position).norm(),
                                        0.1 * result.radius + least_spacing);
       sum += (samples[i].position - result.position) / distance;
       weight += 1 / distance;

@@ -29,6 +29,9 @@ class Skeletonizer
 public:
   /// With the default options.
   explicit Skeletonizer(Concurrency concurrency, const Known_topology& known = Known_topology());
+
+  /// Bounds the number of components of the mixture of points; that of a builder has its own bound.
+  void limit_cells(std::size_t maximum_cells);
   Skeletonizer(Skeletonizer&&) noexcept;
   Skeletonizer& operator=(Skeletonizer&&) noexcept;
   ~Skeletonizer();
@@ -66,6 +69,10 @@ public:
   Plain_mixture mixture() const;
   Plain_samples samples() const;
   Plain_skeleton skeleton() const;
+
+  /// Which vertex the points of a builder belong to. \pre `link()` is done, after
+  /// `fit_mixture()` of a builder
+  Plain_assignment assignment() const;
 
   /// Number of components of the finest level of the mixture, and of samples.
   std::size_t number_of_components() const;

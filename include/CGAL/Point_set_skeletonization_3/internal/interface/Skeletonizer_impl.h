@@ -36,6 +36,7 @@ struct Skeletonizer::State
 
   Normalization normalization;
   Cells_of_points cell_of_point;  ///< In the finest level; empty for points from a builder.
+  Cell_numbers cells;             ///< Of the finest level, for points from a builder.
   std::vector<Gaussians> mixture; ///< Finest level first.
   double cell_size = 0;           ///< Of the finest level.
 
@@ -60,6 +61,7 @@ struct Skeletonizer::State
     forget_samples();
     mixture.clear();
     cell_of_point = Cells_of_points();
+    cells = Cell_numbers();
     number_of_far = 0;
     cell_size = 0;
   }
@@ -141,6 +143,12 @@ Skeletonizer::Skeletonizer(Concurrency concurrency, const Options& options)
 }
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+void Skeletonizer::limit_cells(std::size_t maximum_cells)
+{
+  state_->options.mixture.maximum_cells = maximum_cells;
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
 Skeletonizer::Skeletonizer(Skeletonizer&&) noexcept = default;
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
@@ -169,7 +177,10 @@ void Skeletonizer::fit_mixture(const Moment_grid& points, const Normalization& n
   state_->forget_mixture();
   state_->number_of_far = number_of_far;
   state_->normalization = normalization;
-  state_->set_mixture(grid_mixture(points, state_->options.mixture, State::number_of_levels));
+  Grid_mixture grid = grid_mixture(points, state_->options.mixture, State::number_of_levels);
+  if(!grid.levels.empty())
+    state_->cells = {grid.levels.front().grid, grid.levels.front().cells.cells()};
+  state_->set_mixture(std::move(grid));
 }
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
@@ -313,6 +324,17 @@ CGAL_POINT_SET_SKELETONIZATION_3_INLINE
 Plain_skeleton Skeletonizer::skeleton() const
 {
   return to_plain(state_->graph, state_->normalization);
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+Plain_assignment Skeletonizer::assignment() const
+{
+  Plain_assignment result;
+  result.box = {to_plain(state_->normalization.lower()), to_plain(state_->normalization.upper())};
+  result.cells = state_->cells;
+  for(std::size_t i = 0; i < state_->cells.cells.size(); ++i)
+    result.vertex_of_cell.push_back(state_->vertex_of_component[i]);
+  return result;
 }
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE

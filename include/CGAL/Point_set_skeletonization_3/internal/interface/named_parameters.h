@@ -16,9 +16,11 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <cstddef>
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -115,6 +117,14 @@ Known_topology known_topology(const NamedParameters& np)
   using parameters::get_parameter;
   return {choose_parameter(get_parameter(np, internal_np::single_component), false),
           choose_parameter(get_parameter(np, internal_np::is_tree), false)};
+}
+
+/// The named parameter `maximum_cells`, if it is given.
+template <typename NamedParameters>
+std::optional<std::size_t> maximum_cells_of(const NamedParameters& np)
+{
+  return parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::maximum_cells), std::optional<std::size_t>());
 }
 
 } // namespace internal

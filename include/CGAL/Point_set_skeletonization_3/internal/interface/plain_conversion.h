@@ -21,10 +21,11 @@ namespace internal {
 
 inline Vector3 to_vector(const Plain_point& p) { return {p[0], p[1], p[2]}; }
 
+inline Plain_point to_plain(const Vector3& p) { return {{p.x(), p.y(), p.z()}}; }
+
 inline Plain_point to_plain(const Vector3& p, const Normalization& normalization)
 {
-  const Vector3 q = normalization.from_unit(p);
-  return {{q.x(), q.y(), q.z()}};
+  return to_plain(normalization.from_unit(p));
 }
 
 inline Plain_gaussian to_plain(const Gaussian& g, const Normalization& normalization)
@@ -46,9 +47,7 @@ inline Gaussian from_plain(const Plain_gaussian& g, const Normalization& normali
 
 inline Plain_box plain_box(const Normalization& normalization)
 {
-  const Vector3& lower = normalization.lower();
-  const Vector3& upper = normalization.upper();
-  return {{{lower.x(), lower.y(), lower.z()}}, {{upper.x(), upper.y(), upper.z()}}, true};
+  return {to_plain(normalization.lower()), to_plain(normalization.upper()), true};
 }
 
 /// Returns the normalisation by `box` or, if it is unknown, by the bounding box of the means of

@@ -4,6 +4,8 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_PLAIN_DATA_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_PLAIN_DATA_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Cell_numbers.h>
+
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -79,6 +81,14 @@ struct Plain_skeleton
   std::vector<Plain_vertex> vertices;
   std::vector<std::pair<std::size_t, std::size_t>> edges;
   std::size_t number_of_bridges = 0; ///< The last edges.
+};
+
+/// Which vertex the points of a builder belong to.
+struct Plain_assignment
+{
+  std::pair<Plain_point, Plain_point> box; ///< Its corners. Points outside belong to none.
+  Cell_numbers cells;
+  std::vector<std::size_t> vertex_of_cell; ///< The greatest number for none.
 };
 
 /// Access to the index lists of all vertices, whatever their type.

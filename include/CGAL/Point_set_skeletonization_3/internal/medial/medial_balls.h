@@ -52,7 +52,7 @@ public:
     const std::size_t tasks = (order.size() + task_size - 1) / task_size;
     parallel_for(concurrency, tasks, [&](std::size_t task) {
       Leaves touched;
-      const std::size_t end = std::min(order.size(), (task + 1) * task_size);
+      const std::size_t end = (std::min)(order.size(), (task + 1) * task_size);
       for(std::size_t first = task * task_size; first < end; first += packet_size) {
         Packet balls(*this, first);
         find_smallest(balls, touched);
@@ -160,7 +160,7 @@ private:
 
   std::size_t bounded(std::size_t place) const
   {
-    return std::min(place, box_tree_.order().size() - 1);
+    return (std::min)(place, box_tree_.order().size() - 1);
   }
 
   Box_tree box_tree_;

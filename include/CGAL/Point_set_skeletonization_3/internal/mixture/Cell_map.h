@@ -48,6 +48,15 @@ public:
   /// The value of a cell. O(1). \pre it is in the table
   const Value& at(std::uint64_t cell) const { return slots_[slot_of(cell)].value; }
 
+  /// The value of a cell; a null pointer if it is not in the table. O(1).
+  const Value* find(std::uint64_t cell) const
+  {
+    if(slots_.empty())
+      return nullptr;
+    const Slot& slot = slots_[slot_of(cell)];
+    return slot.cell == cell ? &slot.value : nullptr;
+  }
+
   /// Calls `visit(cell, value)` for each cell, in unspecified order.
   template <typename Visit>
   void for_each(const Visit& visit) const

@@ -4,7 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MIXTURE_CUBIC_GRID_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MIXTURE_CUBIC_GRID_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Lattice_point.h>
 
 #include <array>
 #include <cstddef>
@@ -17,10 +17,21 @@ namespace internal {
 /// A cell of a cubic grid around the origin: its lower corner in units of its edge length.
 using Grid_cell = std::array<std::int32_t, 3>;
 
-/// Bits of a cell coordinate: normalised coordinates are between -1 and 1, and the finest cells are
-/// 1/4096 wide, which is narrower than any patch.
-constexpr int finest_level = 12;
-constexpr int axis_bits = finest_level + 2;
+/// Bits of a cell coordinate: normalised coordinates are between -1 and 1, and no cells are narrower
+/// than 1/65536. Their neighbours still differ in single precision, which searches use.
+constexpr int finest_level_of_all = 16;
+constexpr int axis_bits = finest_level_of_all + 2;
+
+/// The level of the finest cells, if at most `maximum_cells` are wanted: 12 for fewer than 2^20,
+/// where no patch is narrower; with each doubling one more, as along thin limbs.
+inline int finest_level(std::size_t maximum_cells)
+{
+  int level = 12;
+  for(std::size_t cells = std::size_t(1) << 20;
+      cells <= maximum_cells + 1 && level < finest_level_of_all; cells *= 2)
+    ++level;
+  return level;
+}
 
 /// Returns a cell as a number; the order is lexicographic.
 inline std::uint64_t packed(const Grid_cell& cell)
@@ -68,7 +79,7 @@ private:
 /// A cubic grid around the origin with cells of edge length `factor` times 2^-level.
 struct Cubic_grid
 {
-  int level = finest_level;
+  int level = finest_level_of_all;
   std::int32_t factor = 1;
 
   /// Edge length of a cell, in units of the bounding box diagonal.
@@ -82,12 +93,6 @@ struct Cubic_grid
   {
     return Cell_around((factor << (fine.level - level)) / fine.factor);
   }
-
-  /// Centre of a cell.
-  Vector3 center(const Grid_cell& cell) const
-  {
-    return cell_size() * (Vector3(cell[0], cell[1], cell[2]) + Vector3::Constant(0.5));
-  }
 };
 
 /// Maps a point to the cell of a grid that contains it.
@@ -95,17 +100,22 @@ class Cell_of_point
 {
 public:
   explicit Cell_of_point(const Cubic_grid& grid)
-    : fine_cells_(1 << grid.level), around_(grid.factor)
+    : shift_(lattice_level - grid.level), around_(grid.factor)
   {}
 
-  Grid_cell operator()(const Vector3& p) const
+  Grid_cell operator()(const Lattice_point& p) const
   {
-    return around_({{rounded_down(p[0] * fine_cells_), rounded_down(p[1] * fine_cells_),
-                     rounded_down(p[2] * fine_cells_)}});
+    return around_({{rounded_down(p[0]), rounded_down(p[1]), rounded_down(p[2])}});
   }
 
 private:
-  double fine_cells_; ///< Per unit of length.
+  /// Shifts keep the sign, on all machines; C++20 says so as well.
+  std::int32_t rounded_down(std::int64_t x) const
+  {
+    return static_cast<std::int32_t>(x >> shift_);
+  }
+
+  int shift_;
   Cell_around around_;
 };
 

@@ -5,12 +5,13 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MIXTURE_GRID_MIXTURE_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/Moments.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Normalized_points.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Cell_set.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Cubic_grid.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Exact_moments.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Lattice_point.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Moment_grid.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Occupied_cells.h>
 
@@ -38,15 +39,24 @@ struct Grid_options
   double points_per_cell = 2;
 
   /// Greatest number of cells. Bounds memory, about 1 kB a cell, and running time.
-  std::size_t maximum_cells = std::size_t(1) << 17;
+  std::size_t maximum_cells = default_maximum_cells;
+  static constexpr std::size_t default_maximum_cells = std::size_t(1) << 17;
 
   /// At least 8. A cloud with up to this many points gets a cell for each distinct point: in so
   /// small a cloud each may be the only one on its side of a limb.
   std::size_t minimum_cells = 1000;
 
-  /// Greatest number of cells of the grid that is read first: more than are wanted, so that widths
-  /// can be chosen in small steps.
-  std::size_t maximum_fine_cells() const { return 4 * maximum_cells; }
+  /// Greatest number of cells of the grid that is read first: four times as many as are wanted, so
+  /// that widths can be chosen in small steps. Less one: tables double when they are full.
+  std::size_t maximum_fine_cells() const { return 4 * maximum_cells - 1; }
+
+  /// The options for a grid that has been read with this bound.
+  static Grid_options of_fine_cells(std::size_t maximum_fine_cells)
+  {
+    Grid_options options;
+    options.maximum_cells = (maximum_fine_cells + 1) / 4;
+    return options;
+  }
 
   /// Greatest number of cells of a cloud.
   std::size_t cells(std::size_t points) const
@@ -77,8 +87,8 @@ struct Grid_level
   {
     Gaussians result;
     result.reserve(cells.size());
-    for(std::size_t i = 0; i < cells.size(); ++i)
-      result.push_back(cells.moments()[i].gaussian(grid.center(unpacked(cells.cells()[i]))));
+    for(const Exact_moments& moments : cells.moments())
+      result.push_back(moments.gaussian());
     return result;
   }
 };
@@ -130,7 +140,7 @@ inline Grid_level coarser_level(const Cubic_grid& grid, const Moment_cells& cell
 {
   Grid_level result = empty_level(
     grid, cells_around(cells.cells(), grid.around(fine), cells.size(), Concurrency::sequential));
-  result.cells.add(grid, cells, fine);
+  result.cells.add(cells, grid.around(fine));
   return result;
 }
 
@@ -180,27 +190,26 @@ private:
 inline Cells_of_points add_points(const Normalized_points& points, Grid_level& level,
                                   Concurrency concurrency, const Progress& progress)
 {
-  // The moments of parts are added in order: the result does not depend on the number of threads.
   constexpr std::size_t worth_a_part = 16; // points of a cell: parts need less memory than points
-  std::vector<std::vector<Moments>> parts(
+  std::vector<std::vector<Exact_moments>> parts(
     (std::min)(cloud_parts, 1 + points.bulk_size() / (worth_a_part * level.cells.size())));
   Cells_of_points cell_of_point(points.size());
   if(points.number_of_far > 0)
     for(std::size_t i = 0; i < points.size(); ++i)
       cell_of_point[i] = static_cast<std::uint32_t>(level.cells.size());
   const Cell_of_point cell_of(level.grid);
-  for(std::vector<Moments>& part : parts)
+  for(std::vector<Exact_moments>& part : parts)
     part.resize(level.cells.size());
   points.visit_parts(
     parts.size(),
     [&](std::size_t k, std::size_t i, const Vector3& p) {
-      const Grid_cell cell = cell_of(p);
-      const std::size_t number = level.cells.number(cell);
-      parts[k][number].add(1, p - level.grid.center(cell));
+      const Lattice_point place = lattice_point(p);
+      const std::size_t number = level.cells.number(cell_of(place));
+      parts[k][number].add(place);
       cell_of_point[i] = static_cast<std::uint32_t>(number);
     },
     concurrency, progress);
-  for(const std::vector<Moments>& part : parts)
+  for(const std::vector<Exact_moments>& part : parts)
     level.cells.add(part);
   return cell_of_point;
 }
@@ -247,22 +256,22 @@ inline Grid_mixture grid_mixture(const Normalized_points& points, const Grid_opt
   return result;
 }
 
-/// The same for the moments of a builder. O(cells) per step of the search for the width.
-inline Grid_mixture grid_mixture(const Moment_grid& fine, const Grid_options& options,
+/// The same for the moments of a builder, whose bound on the number of cells holds. O(cells) per
+/// step of the search for the width.
+inline Grid_mixture grid_mixture(const Moment_grid& fine, Grid_options options,
                                  std::size_t number_of_levels)
 {
+  options.maximum_cells = Grid_options::of_fine_cells(fine.maximum_cells()).maximum_cells;
   options.check();
-  double points = 0; // exact: a sum of integers
-  for(const Moments& moments : fine.cells().moments())
-    points += moments.weight();
+  const std::size_t points = fine.size();
   Grid_mixture result;
-  if(!(points > 0))
+  if(points == 0)
     return result;
   result.levels.push_back(
     patch_level(fine.cells().cells(), fine.grid(),
-                options.cells(static_cast<std::size_t>(points)), Concurrency::sequential));
+                options.cells(points), Concurrency::sequential));
   Grid_level& finest = result.levels.back();
-  finest.cells.add(finest.grid, fine.cells(), fine.grid());
+  finest.cells.add(fine.cells(), finest.grid.around(fine.grid()));
   result.add_coarser_levels(number_of_levels);
   return result;
 }

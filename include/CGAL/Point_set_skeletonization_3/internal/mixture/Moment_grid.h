@@ -4,13 +4,15 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MIXTURE_MOMENT_GRID_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MIXTURE_MOMENT_GRID_H
 
-#include <CGAL/Point_set_skeletonization_3/internal/core/Moments.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Cell_map.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Cubic_grid.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Exact_moments.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Lattice_point.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -18,7 +20,7 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The moments of the points in cells of a grid, about the centres of the cells.
+/// The moments of the points in cells of a grid.
 class Moment_cells
 {
 public:
@@ -37,32 +39,32 @@ public:
   /// Index of a cell and its moments. O(1). \pre it is one of them
   std::size_t number(const Grid_cell& cell) const { return number_of_.at(packed(cell)); }
 
+  /// The moments of a packed cell. O(1). \pre it is one of them
+  const Exact_moments& of(std::uint64_t cell) const { return moments_[number_of_.at(cell)]; }
+
   /// The cells, packed, and their moments, in the same order.
   const std::vector<std::uint64_t>& cells() const { return cells_; }
-  const std::vector<Moments>& moments() const { return moments_; }
+  const std::vector<Exact_moments>& moments() const { return moments_; }
 
-  /// Adds a point to its cell. O(1).
-  void add(const Cubic_grid& grid, const Grid_cell& cell, const Vector3& p)
+  /// Adds a point or moments to a cell. O(1).
+  template <typename Addend>
+  void add(const Grid_cell& cell, const Addend& addend)
   {
-    moments_[inserted(cell)].add(1, p - grid.center(cell));
+    moments_[inserted(cell)].add(addend);
   }
 
-  /// Adds moments about the same centres, in the same order. O(cells).
-  void add(const std::vector<Moments>& others)
+  /// Adds moments of the same cells, in the same order. O(cells).
+  void add(const std::vector<Exact_moments>& others)
   {
     for(std::size_t i = 0; i < others.size(); ++i)
-      moments_[i].add(others[i], Vector3::Zero());
+      moments_[i].add(others[i]);
   }
 
-  /// Adds the moments of the cells of `fine`, as fine as `grid` or finer; exact up to rounding.
-  /// O(cells).
-  void add(const Cubic_grid& grid, const Moment_cells& other, const Cubic_grid& fine)
+  /// Adds the moments of cells of a finer grid, each to the cell `around` it. O(cells).
+  void add(const Moment_cells& other, const Cell_around& around)
   {
-    const Cell_around around = grid.around(fine);
-    for(std::size_t i = 0; i < other.size(); ++i) {
-      const Grid_cell part = unpacked(other.cells()[i]), cell = around(part);
-      moments_[inserted(cell)].add(other.moments_[i], fine.center(part) - grid.center(cell));
-    }
+    for(std::size_t i = 0; i < other.size(); ++i)
+      add(around(unpacked(other.cells()[i])), other.moments_[i]);
   }
 
 private:
@@ -81,23 +83,27 @@ private:
 
   Cell_map<std::uint32_t> number_of_;
   std::vector<std::uint64_t> cells_; ///< Packed.
-  std::vector<Moments> moments_;
+  std::vector<Exact_moments> moments_;
 };
 
 /// The moments of points in the cells of the finest cubic grid with a bounded number of them, which
-/// depends on the set of points only. Grids of parts of the points add up to the grid of all.
+/// depends on the set of points only. Grids of parts of the points add up to the grid of all, bit
+/// for bit.
 class Moment_grid
 {
 public:
-  explicit Moment_grid(std::size_t maximum_cells) : maximum_cells_(maximum_cells) {}
+  explicit Moment_grid(std::size_t maximum_cells)
+    : maximum_cells_(maximum_cells), grid_{finest_level(maximum_cells), 1}
+  {}
 
+  std::size_t maximum_cells() const { return maximum_cells_; }
   const Cubic_grid& grid() const { return grid_; }
   const Moment_cells& cells() const { return cells_; }
 
   /// Adds a point. O(1) amortised.
-  void add(const Vector3& p)
+  void add(const Lattice_point& p)
   {
-    cells_.add(grid_, cell_of_(p), p);
+    cells_.add(cell_of_(p), p);
     limit();
   }
 
@@ -105,8 +111,63 @@ public:
   void add(const Moment_grid& other)
   {
     coarsen_to(std::min(grid_.level, other.grid_.level));
-    cells_.add(grid_, other.cells_, other.grid_);
+    cells_.add(other.cells_, grid_.around(other.grid_));
     limit();
+  }
+
+  /// Number of points. O(cells).
+  std::size_t size() const
+  {
+    std::size_t result = 0;
+    for(const Exact_moments& moments : cells_.moments())
+      result += moments.number();
+    return result;
+  }
+
+  /// The points of some of the cells, packed. O(cells). \pre there are such cells
+  Moment_grid restricted_to(const std::vector<std::uint64_t>& cells) const
+  {
+    Moment_grid result(maximum_cells_);
+    result.coarsen_to(grid_.level);
+    for(const std::uint64_t cell : cells)
+      result.cells_.add(unpacked(cell), cells_.of(cell));
+    return result;
+  }
+
+  /// Writes the grid to an archive as of Boost.Serialization: the cells in order, whatever the
+  /// order in which they came. O(cells log cells).
+  template <typename Archive>
+  void save(Archive& archive, unsigned int) const
+  {
+    archive& std::uint64_t(maximum_cells_);
+    archive& std::uint64_t(static_cast<unsigned int>(grid_.level));
+    archive& std::uint64_t(cells_.size());
+    std::vector<std::uint64_t> ordered = cells_.cells();
+    std::sort(ordered.begin(), ordered.end());
+    for(const std::uint64_t cell : ordered) {
+      archive& cell;
+      archive& cells_.of(cell).words();
+    }
+  }
+
+  /// Reads what `save()` wrote. \throws std::runtime_error if that was something else
+  template <typename Archive>
+  void load(Archive& archive, unsigned int)
+  {
+    std::uint64_t maximum_cells, level, size, cell;
+    archive& maximum_cells;
+    archive& level;
+    archive& size;
+    if(level > static_cast<std::uint64_t>(finest_level(static_cast<std::size_t>(maximum_cells))) ||
+       size > maximum_cells)
+      throw std::runtime_error("it is damaged");
+    *this = Moment_grid(static_cast<std::size_t>(maximum_cells));
+    coarsen_to(static_cast<int>(level));
+    for(Exact_moments::Words words; size > 0; --size) {
+      archive& cell;
+      archive& words;
+      cells_.add(unpacked(cell), Exact_moments::of_words(words));
+    }
   }
 
 private:
@@ -123,7 +184,7 @@ private:
       return;
     const Cubic_grid fine = std::exchange(grid_, {level, 1});
     const Moment_cells fine_cells = std::exchange(cells_, Moment_cells());
-    cells_.add(grid_, fine_cells, fine);
+    cells_.add(fine_cells, grid_.around(fine));
     cell_of_ = Cell_of_point(grid_);
   }
 

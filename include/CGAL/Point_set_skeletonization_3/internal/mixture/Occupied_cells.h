@@ -10,6 +10,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Cell_set.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Cubic_grid.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Lattice_point.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -37,7 +38,7 @@ public:
 
   void add(const Vector3& p)
   {
-    cells_.insert(cell_of_(p));
+    cells_.insert(cell_of_(lattice_point(p)));
     limit();
   }
 
@@ -89,8 +90,9 @@ inline int probable_level(const Normalized_points& points, std::size_t maximum_c
     });
   while(points_of_cell * some.cells().size() > size)
     some.coarsen();
+  const int finest = finest_level(maximum_cells);
   int level = some.grid().level;
-  for(std::size_t cells = 4 * some.cells().size(); cells <= maximum_cells && level < finest_level;
+  for(std::size_t cells = 4 * some.cells().size(); cells <= maximum_cells && level < finest;
       cells *= 4) // as on a surface
     ++level;
   return level;
@@ -118,12 +120,13 @@ inline Occupied_cells occupied_cells(const Normalized_points& points, int level,
 inline Occupied_cells occupied_cells(const Normalized_points& points, std::size_t maximum_cells,
                                      Concurrency concurrency, const Progress& progress)
 {
-  int level = finest_level;
+  const int finest = finest_level(maximum_cells);
+  int level = finest;
   if(points.bulk_size() > maximum_cells)
     level = (std::min)(level, probable_level(points, maximum_cells) + 1);
   for(;; ++level) {
     Occupied_cells result = occupied_cells(points, level, maximum_cells, concurrency, progress);
-    if(level == finest_level || result.grid().level < level) // else a finer grid might do
+    if(level == finest || result.grid().level < level) // else a finer grid might do
       return result;
   }
 }
@@ -144,13 +147,14 @@ inline Fine_cells fine_cells(const Normalized_points& points, std::size_t maximu
     const Occupied_cells occupied = occupied_cells(points, maximum_cells, concurrency, progress);
     return {occupied.grid(), occupied.cells().cells()};
   }
-  Fine_cells result; // one per point, with duplicates
+  Fine_cells result{{finest_level(maximum_cells), 1}, {}}; // one per point, with duplicates
   constexpr std::uint64_t no_cell = ~std::uint64_t(0); // of a point far away
   result.cells.resize(points.size(), no_cell);
   const Cell_of_point cell_of(result.grid);
   parallel_for(concurrency, points.number_of_blocks(), [&](std::size_t b) {
-    points.visit_block(
-      b, [&](std::size_t i, const Vector3& p) { result.cells[i] = packed(cell_of(p)); });
+    points.visit_block(b, [&](std::size_t i, const Vector3& p) {
+      result.cells[i] = packed(cell_of(lattice_point(p)));
+    });
   });
   result.cells.erase(std::remove(result.cells.begin(), result.cells.end(), no_cell),
                      result.cells.end());

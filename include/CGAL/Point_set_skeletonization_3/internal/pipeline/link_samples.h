@@ -26,7 +26,7 @@ namespace internal {
 /// A skeleton, and the vertex of each sample.
 struct Linked_samples
 {
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
   Skeleton_graph graph;
   std::vector<std::size_t> vertex_of_sample; ///< `none` for outliers.

@@ -84,7 +84,7 @@ public:
   bool is_reached(const Projected_samples& samples, double on_curves)
   {
     constexpr double step = 0.01; // less is chance
-    if(on_curves >= std::max(options_.least_on_curves, greatest_ + step)) {
+    if(on_curves >= (std::max)(options_.least_on_curves, greatest_ + step)) {
       greatest_ = on_curves;
       then_ = samples;
     }

@@ -73,7 +73,7 @@ inline std::vector<Medial_ball> known_balls(const Patches& patches, const Sample
       continue;
     done[i] = true;
     balls[i] = i == from ? balls[from] : moved_to_touch(balls[from], patches[i].mean);
-    const double limit = std::max(reach * patches[from].spacing, ball_share * balls[from].radius);
+    const double limit = (std::max)(reach * patches[from].spacing, ball_share * balls[from].radius);
     for(std::size_t j : patches[i].neighbors) {
       const double length = std::get<0>(step) + (patches[i].mean - patches[j].mean).norm();
       if(is_unknown(j) && length < limit && patches[i].normal.dot(patches[j].normal) > crease)
@@ -91,7 +91,7 @@ inline std::vector<Medial_ball> known_balls(const Patches& patches, const Sample
 /// \pre both radii are positive
 inline double relative_overlap(const Medial_ball& a, const Medial_ball& b)
 {
-  const double smaller = std::min(a.radius, b.radius), larger = std::max(a.radius, b.radius);
+  const double smaller = (std::min)(a.radius, b.radius), larger = (std::max)(a.radius, b.radius);
   const double distance = (a.center - b.center).norm();
   if(distance >= smaller + larger)
     return 0;

@@ -93,7 +93,7 @@ private:
       if(length < point)
         return true;
       stuck = length > slow * shortest ? stuck + 1 : 0;
-      shortest = std::min(shortest, length);
+      shortest = (std::min)(shortest, length);
     }
     return length < 2 * point;
   }
@@ -155,7 +155,7 @@ private:
     for(std::size_t i = 0; i < size_; ++i) {
       std::array<Vector3, 4> means; // a quarter of the curve to either side, half of that, ...
       for(std::size_t k = 0; k < means.size(); ++k)
-        means[k] = mean_around(i, std::max<std::size_t>(1, size_ >> (k + 2)));
+        means[k] = mean_around(i, (std::max<std::size_t>)(1, size_ >> (k + 2)));
       const std::array<double, 4> winding_numbers = winding_number_(means);
       bool moved = false;
       for(std::size_t k = 0; k < 4 && !moved; ++k)
@@ -207,11 +207,11 @@ private:
   {
     constexpr double most_places = 16;
     const double steps =
-        1 + std::min(most_places - 1, std::floor((to - from).norm() / resolution_));
+        1 + (std::min)(most_places - 1, std::floor((to - from).norm() / resolution_));
     for(double step = 1; step < steps; step += 4) {
       std::array<Vector3, 4> places;
       for(std::size_t k = 0; k < 4; ++k)
-        places[k] = from + std::min(1.0, (step + static_cast<double>(k)) / steps) * (to - from);
+        places[k] = from + (std::min)(1.0, (step + static_cast<double>(k)) / steps) * (to - from);
       const std::array<double, 4> values = winding_number_(places);
       if(*std::min_element(values.begin(), values.end()) < air_)
         return false;

@@ -102,7 +102,7 @@ public:
     constexpr double growth = 1.1;
 
     center_ = samples_[seed].position;
-    const double radius = std::max(samples_[seed].radius, patches_[seed].spacing / 2);
+    const double radius = (std::max)(samples_[seed].radius, patches_[seed].spacing / 2);
     region_.push_back_if(true, seed);
     label_[seed] = region;
     area_ = static_cast<double>(areas_[seed]);
@@ -130,7 +130,7 @@ public:
     // counts.
     const bool is_sheet = is_bounded && is_in_one_piece;
     const double same =
-      std::max(options_.same_place * radius, is_sheet ? same_patch * patches_[seed].spacing : 0);
+      (std::max)(options_.same_place * radius, is_sheet ? same_patch * patches_[seed].spacing : 0);
     for(std::size_t i : region_)
       if(label_[i] != on_separator && (positions_[i] - center_).squaredNorm() < same * same)
         result.same.push_back(i);

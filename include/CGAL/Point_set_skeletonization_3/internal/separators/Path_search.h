@@ -76,7 +76,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
   enum Place : char { elsewhere, on_separator, on_first_side, on_second_side };
 
   /// How a patch was reached first.
@@ -187,7 +187,7 @@ private:
       for(std::size_t i : separator.sides[k])
         reach(i, none, k);
     for(std::size_t next = 0;
-        meeting[0] == none && next < std::min(reached[0].size(), reached[1].size()); ++next)
+        meeting[0] == none && next < (std::min)(reached[0].size(), reached[1].size()); ++next)
       for(std::size_t k = 0; k < 2; ++k)
         for(const auto& edge : graph_[reached[k][next]])
           if(place_[edge.patch] != on_separator)

@@ -69,7 +69,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
   /// A path from one side of a candidate to the other.
   struct Path

@@ -148,7 +148,7 @@ private:
 template <std::size_t N>
 BOOST_FORCEINLINE Float_packet<N> is_positive(const Float_packet<N>& values)
 {
-  return (values * std::numeric_limits<float>::max()).max(0).min(1);
+  return (values * (std::numeric_limits<float>::max)()).max(0).min(1);
 }
 
 /// `N` vectors, or places.

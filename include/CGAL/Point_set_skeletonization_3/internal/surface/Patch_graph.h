@@ -31,7 +31,7 @@ struct Patch_pair
 /// Returns the pairs of adjacent patches, each once, in lexicographic order. O(pairs).
 inline std::vector<Patch_pair> adjacent_pairs(const Patches& patches)
 {
-  CGAL_precondition(patches.size() <= std::numeric_limits<std::uint32_t>::max());
+  CGAL_precondition(patches.size() <= (std::numeric_limits<std::uint32_t>::max)());
   std::size_t size = 0;
   for(const Patch& patch : patches)
     size += patch.neighbors.size();

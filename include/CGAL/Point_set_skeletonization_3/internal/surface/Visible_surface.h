@@ -110,7 +110,7 @@ private:
   {
     std::vector<double> result(places.size());
     for_each_packet(concurrency, places.size(), [&](std::size_t first, std::size_t end) {
-      Packet packet(*this, [&](std::size_t k) { return places[std::min(first + k, end - 1)]; });
+      Packet packet(*this, [&](std::size_t k) { return places[(std::min)(first + k, end - 1)]; });
       begin(packet, first, end);
       tree_.visit_leaves(packet, [&](std::size_t b, std::size_t e) { packet.look_at(b, e); });
       for(std::size_t k = first; k < end; ++k)

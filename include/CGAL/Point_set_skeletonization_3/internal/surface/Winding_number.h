@@ -40,7 +40,7 @@ public:
       return;
     const Box_tree::Box& box = tree_.boxes().front();
     origin_ = box.center();
-    unit_ = std::max(box.sizes().maxCoeff(), least_spacing); // patches may coincide
+    unit_ = (std::max)(box.sizes().maxCoeff(), least_spacing); // patches may coincide
     std::vector<Dipole> dipoles;
     dipoles.reserve(patches.size());
     for(std::size_t i : tree_.order())
@@ -81,7 +81,7 @@ public:
     for_each_packet(concurrency, places.size(), [&](std::size_t first, std::size_t end) {
       std::array<Vector3, packet_size> packet;
       for(std::size_t k = 0; k < packet_size; ++k)
-        packet[k] = places[std::min(first + k, end - 1)];
+        packet[k] = places[(std::min)(first + k, end - 1)];
       const std::array<double, packet_size> values = (*this)(packet);
       std::copy_n(values.begin(), end - first, result.data() + first);
     });
@@ -136,7 +136,7 @@ private:
       weighted_position += own_weight * dipole.position;
       moment += dipole.moment;
       second += dipole.position * dipole.moment.transpose();
-      reach = std::max(reach, dipole.reach);
+      reach = (std::max)(reach, dipole.reach);
     }
 
     void add(const Sums& other)
@@ -145,7 +145,7 @@ private:
       weighted_position += other.weighted_position;
       moment += other.moment;
       second += other.second;
-      reach = std::max(reach, other.reach);
+      reach = (std::max)(reach, other.reach);
     }
   };
 
@@ -176,7 +176,7 @@ private:
       const Matrix3 second = sums.second - middle * sums.moment.transpose();
       double squared_radius = 0;
       for(const Dipole* dipole = begin; dipole != end; ++dipole)
-        squared_radius = std::max(squared_radius, (dipole->position - middle).squaredNorm());
+        squared_radius = (std::max)(squared_radius, (dipole->position - middle).squaredNorm());
       const double radius = std::sqrt(squared_radius);
       center = middle.cast<float>();
       moment = sums.moment.cast<float>();

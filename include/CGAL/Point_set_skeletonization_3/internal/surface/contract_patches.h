@@ -95,7 +95,7 @@ inline Patches contracted(const Patches& fine, const Gaussians& gaussians,
       const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
       std::nth_element(near.begin(), middle, near.end());
       // Of a small patch between large ones, half of the neighbours count all the same.
-      const double scale = std::max(patch.spacing, std::sqrt(middle->squared_distance));
+      const double scale = (std::max)(patch.spacing, std::sqrt(middle->squared_distance));
       estimate_normal(patch, gaussians, near, scale, options.least_width);
     }
   });

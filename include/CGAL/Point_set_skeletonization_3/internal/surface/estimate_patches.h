@@ -50,7 +50,7 @@ void estimate_normal(Patch& patch, const Gaussians& gaussians, const Neighbors& 
   patch.is_on_line = variance[1] < least_width * variance[2];
   if(variance[1] > 1e-10 * variance[2])
     patch.planarity = (1 - variance[0] / variance[1]) *
-                      std::min(1.0, variance[1] / (least_width * variance[2]));
+                      (std::min)(1.0, variance[1] / (least_width * variance[2]));
   if(!patch.normal.allFinite())
     patch.normal = Vector3::UnitZ();
 }
@@ -69,7 +69,7 @@ inline Patches estimate_patches(const Gaussians& gaussians, const K_nearest_neig
     // A single patch is as large as the shape.
     patch.spacing =
         nearest[i].size() > 1 ? std::sqrt(nearest[i].begin()[middle].squared_distance) : 1;
-    patch.spacing = std::max(patch.spacing, least_spacing);
+    patch.spacing = (std::max)(patch.spacing, least_spacing);
     // A disc of this radius contains the patch and half of its neighbours.
     patch.area = CGAL_PI * patch.spacing * patch.spacing / static_cast<double>(middle + 1);
     estimate_normal(patch, gaussians, nearest[i], patch.spacing, options.least_width);
@@ -80,7 +80,7 @@ inline Patches estimate_patches(const Gaussians& gaussians, const K_nearest_neig
     for(const auto& neighbor : nearest[i]) {
       const std::size_t j = neighbor.index;
       const double reach =
-        options.adjacency_reach * std::min(patches[i].spacing, patches[j].spacing);
+        options.adjacency_reach * (std::min)(patches[i].spacing, patches[j].spacing);
       if(j != i && neighbor.squared_distance <= reach * reach &&
          !are_opposite_sheets(patches[i], patches[j], options))
         patches[i].neighbors.push_back(j);

@@ -32,7 +32,7 @@ inline bool face_each_other(const Patch& a, const Patch& b, const Surface_option
   const Vector3 d = b.mean - a.mean;
   const double above_a = a.normal.dot(d), above_b = -b.normal.dot(d); // heights
   return a.normal.dot(b.normal) < options.opposite_normals && above_a * above_b > 0 &&
-         std::abs(above_a + above_b) > options.least_gap * std::min(a.resolution(), b.resolution());
+         std::abs(above_a + above_b) > options.least_gap * (std::min)(a.resolution(), b.resolution());
 }
 
 /// Returns the least cosine between the normal of a patch and the direction to it at which a place

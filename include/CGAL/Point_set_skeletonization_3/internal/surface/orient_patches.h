@@ -77,7 +77,7 @@ inline std::vector<Sign_link> sign_links(const Patches& patches, Concurrency con
   parallel_for(concurrency, pairs.size(), [&](std::size_t k) {
     const Patch &a = patches[pairs[k].a], &b = patches[pairs[k].b];
     const double cosine = continuation(a, b);
-    const double trust = std::max(0.0, std::abs(cosine) * std::min(a.planarity, b.planarity));
+    const double trust = (std::max)(0.0, std::abs(cosine) * (std::min)(a.planarity, b.planarity));
     links[k] = {pairs[k].a, pairs[k].b, static_cast<std::uint32_t>(k), cosine < 0, trust};
   });
   return links;
@@ -146,7 +146,7 @@ inline std::vector<double> orientation_confidence(const Patches& patches, Concur
       agreement += continuation(patches[i], patches[j]);
     if(!patches[i].neighbors.empty())
       agreement /= static_cast<double>(patches[i].neighbors.size());
-    confidence[i] = patches[i].planarity * std::max(0.0, agreement);
+    confidence[i] = patches[i].planarity * (std::max)(0.0, agreement);
   });
   return confidence;
 }

@@ -1,0 +1,47 @@
+#!/bin/sh
+# The recipes of doc/scaling.md. Usage: recipes.sh PROGRAM
+. "$(dirname "$0")/program.sh"
+mkdir bin
+ln -s "$program" bin/skeletonize_point_set
+PATH=$PWD/bin:$PATH
+BOX='-2 -2 -1 2 2 13'
+
+mkdir tiles
+for k in 0 1 2 3; do awk -v k=$k '$3 >= 3 * k && $3 < 3 * k + 3' cloud.xyz > tiles/$k.xyz; done
+ls tiles/*.xyz > files.txt
+skeletonize_point_set cloud.xyz --stream --box $BOX --quiet -o expected.ply
+
+# A loop in a shell.
+for tile in tiles/*.xyz; do
+  skeletonize_point_set accumulate $tile --box $BOX -o ${tile%.xyz}.moments --quiet
+done
+skeletonize_point_set merge tiles/*.moments -o plot.moments --quiet
+skeletonize_point_set plot.moments -o plot.ply --quiet
+check "a loop in a shell" cmp expected.ply plot.ply
+
+# An array of jobs: the body of the job, for each number.
+sed -n '/^    #!\/bin\/sh$/,/^$/s/^    //p' "$here/../doc/scaling.md" > job.sh
+check "the job is in the manual" grep -q SLURM_ARRAY_TASK_ID job.sh
+export BOX
+for SLURM_ARRAY_TASK_ID in 4 2 1 3; do
+  export SLURM_ARRAY_TASK_ID
+  sh job.sh > out
+done
+skeletonize_point_set merge part_*.moments -o plot.moments --quiet
+skeletonize_point_set plot.moments -o plot.ply --quiet
+check "an array of jobs" cmp expected.ply plot.ply
+
+# Dask, where it is.
+if /usr/bin/python3 -c 'import dask' 2> /dev/null; then
+  {
+    echo "box = '$BOX'.split()"
+    echo "tiles = [line.strip() for line in open('files.txt')]"
+    sed -n '/^```python$/,/^```$/p' "$here/../doc/scaling.md" | sed '1d;$d'
+  } > with_dask.py
+  /usr/bin/python3 with_dask.py > out
+  skeletonize_point_set plot.moments -o plot.ply --quiet
+  check "Dask" cmp expected.ply plot.ply
+else
+  echo "Without the recipe for Dask: /usr/bin/python3 has no dask"
+fi
+finish
