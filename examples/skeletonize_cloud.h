@@ -89,7 +89,22 @@ inline auto callback_of(Progress_bar& bar)
   });
 }
 
-// Runs the steps of either method.
+template <typename ConcurrencyTag>
+CGAL::Point_assignment_3<Kernel>
+assignment_of(const CGAL::L1_medial_skeletonization_3<Kernel, ConcurrencyTag>& steps)
+{
+  return steps.point_assignment();
+}
+
+/// It has no streamed points.
+template <typename ConcurrencyTag>
+CGAL::Point_assignment_3<Kernel>
+assignment_of(const CGAL::Published_l1_medial_skeletonization_3<Kernel, ConcurrencyTag>&)
+{
+  return {};
+}
+
+/// Runs the steps of either method.
 template <typename Skeletonization>
 Result run_steps(Skeletonization& steps)
 {

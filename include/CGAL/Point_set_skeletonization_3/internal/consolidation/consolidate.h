@@ -53,9 +53,10 @@ struct Consolidation_options
   /// transition on, narrower windows are tried.
   double plane = 0.1;
 
-  /// Linearity, in (0, 1), from which on a narrow window shows a thin limb as a line. Twigs of a few
-  /// points across look as noise does, but wider windows do not show a plane: they stay as they are.
-  /// Their tips in sparse scans: 501 of 650 with 0, 483 with 0.25, 443 with 0.5, 396 without lines.
+  /// Linearity, in (0, 1), from which on a narrow window shows a thin limb as a line. Twigs of a
+  /// few points across look as noise does, but wider windows do not show a plane: they stay as
+  /// they are. Of 650 tips in sparse scans 501 were found with 0, 483 with 0.25, 443 with 0.5, 396
+  /// without lines; of 60 sparse noisy clouds 34, 37, 37 and 37 were exact.
   double line = 0.25;
 
   /// Radii of the window, in (0, 1); width of the cells of a noisy mixture. What is finer than the

@@ -4,12 +4,12 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_BRIDGE_GAPS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_BRIDGE_GAPS_H
 
-
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/minimum_spanning_forest.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/refine_curve.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -46,15 +46,29 @@ public:
         extent_[v] = (std::max)(extent_[v], (p - graph.vertices[v].position).norm());
   }
 
-  /// Adds plausible bridges, the shorter first. O(tips times vertices).
+  /// Adds plausible bridges, the shorter first. O(n log n), times the vertices within reach of a
+  /// tip: the widest gap from the thickest limb.
   void bridge_gaps()
   {
+    std::vector<Vector3> positions;
+    double thickest = 0, extent = 0;
+    for(std::size_t v = 0; v < graph_.vertices.size(); ++v) {
+      positions.push_back(graph_.vertices[v].position);
+      thickest = (std::max)(thickest, graph_.vertices[v].radius);
+      extent = (std::max)(extent, extent_[v]);
+    }
+    const Box_tree places(positions);
     std::vector<Bridge> bridges;
-    for(std::size_t v = 0; v < graph_.vertices.size(); ++v)
-      if(adjacency_[v].size() == 1)
-        for(std::size_t w = 0; w < graph_.vertices.size(); ++w)
-          if(sets_.find(v) != sets_.find(w) && is_plausible(v, w))
-            bridges.push_back({v, w, distance(v, w)});
+    for(std::size_t v = 0; v < graph_.vertices.size(); ++v) {
+      if(adjacency_[v].size() != 1)
+        continue;
+      const double gap = (std::max)(widest_gap(v, thickest), thin_gap(v));
+      places.visit_within(positions[v], gap + extent_[v] + extent, [&](std::size_t k, double) {
+        const std::size_t w = places.order()[k];
+        if(sets_.find(v) != sets_.find(w) && is_plausible(v, w))
+          bridges.push_back({v, w, distance(v, w)});
+      });
+    }
     add(minimum_spanning_forest(sets_, graph_.vertices.size(), std::move(bridges)));
   }
 
@@ -109,15 +123,28 @@ private:
     return false;
   }
 
+  /// Greatest gap between a tip of a thin limb and anything.
+  double thin_gap(std::size_t end) const
+  {
+    return options_.thin_gap * graph_.vertices[end].resolution;
+  }
+
+  /// Greatest gap between a tip and a limb of some radius that are aligned.
+  double widest_gap(std::size_t end, double radius) const
+  {
+    const Skeleton_graph::Vertex& tip = graph_.vertices[end];
+    return options_.widest_gap *
+           (std::max)({tip.radius, radius, options_.thin_limb * tip.resolution});
+  }
+
   /// Whether a bridge from a tip to vertex `w` is plausible.
   bool is_plausible(std::size_t end, std::size_t w) const
   {
-    const Skeleton_graph::Vertex &tip = graph_.vertices[end], &other = graph_.vertices[w];
-    const double thin = options_.thin_limb * tip.resolution;
-    if(tip.radius < thin && is_gap_below(options_.thin_gap * tip.resolution, end, w))
+    const Skeleton_graph::Vertex& tip = graph_.vertices[end];
+    if(tip.radius < options_.thin_limb * tip.resolution && is_gap_below(thin_gap(end), end, w))
       return true;
     return points_at(end, w) && (adjacency_[w].size() != 1 || points_at(w, end)) &&
-           is_gap_below(options_.widest_gap * (std::max)({tip.radius, other.radius, thin}), end, w);
+           is_gap_below(widest_gap(end, graph_.vertices[w].radius), end, w);
   }
 
   void add(std::vector<Bridge> bridges)

@@ -167,7 +167,8 @@ private:
             distances.push_back((p - graph_.vertices[w].position).norm());
       double& radius = graph_.vertices[v].radius;
       if(!distances.empty())
-        radius = (std::max)(radius, (std::min)(1.0, 2 * noise_) * quantile(std::move(distances), 0.25));
+        radius = (std::max)(radius, (std::min)(1.0, 2 * noise_) *
+                                      quantile(std::move(distances), 0.25));
     }
   }
 
@@ -192,8 +193,8 @@ private:
 };
 
 /// Part 3d: returns a curve through the middle of the limbs that a graph connects; see
-/// `Curve_fitting`. Time: tips times vertices for bridging, and six sparse linear systems. \pre
-/// there is a vertex
+/// `Curve_fitting`. O(n log n) in practice, with six sparse linear systems.
+/// \pre there is a vertex
 inline Skeleton_graph fit_curve(Skeleton_graph graph, const Surface& surface,
                                 const Samples& samples, const std::vector<Surface_point>& points,
                                 double noise, bool single_component, const Curve_options& options,
