@@ -57,16 +57,23 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
   return result;
 }
 
-/// Whether a network has more free ends than loops. O(n).
-inline bool has_more_tips_than_loops(const Skeleton_graph& graph)
+/// Number of independent loops. O(n).
+inline std::size_t number_of_loops(const Skeleton_graph& graph)
 {
-  std::size_t tips = 0, loops = 0;
   Union_find sets(graph.vertices.size());
+  std::size_t result = 0;
   for(const Skeleton_graph::Edge& e : graph.edges)
-    loops += sets.join(e.first, e.second) ? 0 : 1;
+    result += sets.join(e.first, e.second) ? 0 : 1;
+  return result;
+}
+
+/// Number of free ends. O(n).
+inline std::size_t number_of_tips(const Skeleton_graph& graph)
+{
+  std::size_t result = 0;
   for(const std::vector<std::size_t>& neighbors : graph.adjacency())
-    tips += neighbors.size() == 1 ? 1 : 0;
-  return tips > loops;
+    result += neighbors.size() == 1 ? 1 : 0;
+  return result;
 }
 
 /// Part 3a to 3c: returns the network of limbs, by the better of two readings.
@@ -74,8 +81,8 @@ inline bool has_more_tips_than_loops(const Skeleton_graph& graph)
 /// Where limbs are not resolved (twigs of a few points across, limbs as thin as the noise, open
 /// strips), nothing local tells the joint of two limbs from two that touch. As a frame, all adjacent
 /// patches without medial balls are in one limb, so that contacts close loops; as a tree, they are
-/// joined where nothing else joins them, and close none. What ends freely more often than it closes
-/// loops grows like a tree, and its loops are accidental contacts.
+/// joined where nothing else joins them, and close none. What ends freely more often than contacts
+/// close loops grows like a tree, and the contacts are accidental.
 /// O(n log n) in practice; the second reading only where there are patches without balls.
 inline Limb_network read_limbs(const Surface& surface, const Samples& samples,
                                const Linking_options& options, Concurrency concurrency,
@@ -91,14 +98,18 @@ inline Limb_network read_limbs(const Surface& surface, const Samples& samples,
   progress(0.6);
   const double least_evidence =
     is_tree ? std::numeric_limits<double>::infinity() : options.curve.loop_evidence;
-  Limb_network network = limb_network(surface, samples, overlaps, candidates, least_evidence,
-                                      options, concurrency);
+  const auto read = [&](const Ball_overlaps& known) {
+    return limb_network(surface, samples, known, candidates, least_evidence, options, concurrency);
+  };
+  Limb_network frame = read(overlaps);
   progress(0.8);
-  if(!is_tree && overlaps.has_unknown() && has_more_tips_than_loops(network.pruned.graph))
-    network = limb_network(surface, samples, overlaps.with_unknown(as_tree), candidates,
-                           least_evidence, options, concurrency);
+  const std::size_t tips = number_of_tips(frame.pruned.graph);
+  if(is_tree || !overlaps.has_unknown() || tips == 0)
+    return frame;
+  Limb_network tree = read(overlaps.with_unknown(as_tree));
   progress(1);
-  return network;
+  const std::size_t resolved_loops = number_of_loops(tree.pruned.graph);
+  return tips + resolved_loops > number_of_loops(frame.pruned.graph) ? tree : frame;
 }
 
 } // namespace internal
