@@ -4,6 +4,8 @@
 #ifndef CGAL_POINT_ASSIGNMENT_3_H
 #define CGAL_POINT_ASSIGNMENT_3_H
 
+#include <CGAL/license/Point_set_skeletonization_3.h>
+
 #include <CGAL/Point_set_skeletonization_3/internal/core/Normalization.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/plain_data.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/public_data.h>

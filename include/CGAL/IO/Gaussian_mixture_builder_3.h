@@ -4,6 +4,8 @@
 #ifndef CGAL_IO_GAUSSIAN_MIXTURE_BUILDER_3_H
 #define CGAL_IO_GAUSSIAN_MIXTURE_BUILDER_3_H
 
+#include <CGAL/license/Point_set_skeletonization_3.h>
+
 #include <CGAL/Gaussian_mixture_builder_3.h>
 #include <CGAL/Point_set_skeletonization_3/internal/io/Byte_archive.h>
 #include <CGAL/Point_set_skeletonization_3/internal/io/Output_file.h>
