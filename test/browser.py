@@ -8,10 +8,15 @@ import unittest
 
 from selenium import webdriver
 from selenium.webdriver.common.utils import is_connectable
+from selenium.webdriver.support.ui import WebDriverWait
 
 SWITCHES = """--headless --no-sandbox --disable-gpu --use-gl=angle --use-angle=swiftshader
   --enable-unsafe-swiftshader --disable-quic --no-first-run --disable-background-networking
   --disable-component-update --disable-sync --window-size=1500,1000"""
+
+
+# Software rendering on a busy machine may take seconds a frame; nothing is judged by this.
+PATIENCE = 300  # seconds
 
 
 class Service(webdriver.chrome.service.Service):
@@ -44,3 +49,15 @@ class BrowserTest(unittest.TestCase):
         cls.addClassCleanup(cls.profile.cleanup)
         cls.browser = start_browser(cls.profile.name)
         cls.addClassCleanup(cls.browser.quit)
+        cls.browser.set_script_timeout(PATIENCE)
+
+    def tearDown(self):
+        errors = [line for line in self.browser.get_log("browser") if line["level"] == "SEVERE"]
+        self.assertEqual(errors, [])
+
+    def run_script(self, script, *arguments):
+        return self.browser.execute_script(script, *arguments)
+
+    def wait_for(self, condition):
+        """What a page does a little later."""
+        return WebDriverWait(self.browser, PATIENCE).until(lambda _: condition())

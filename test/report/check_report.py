@@ -10,7 +10,7 @@ import unittest
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from selenium.webdriver.support.ui import Select, WebDriverWait
+from selenium.webdriver.support.ui import Select
 
 sys.path.append(str(pathlib.Path(__file__).parents[1]))
 from browser import BrowserTest
@@ -30,19 +30,8 @@ class ReportTest(BrowserTest):
     def setUp(self):
         self.browser.get(self.report.resolve().as_uri())
 
-    def tearDown(self):
-        errors = [line for line in self.browser.get_log("browser") if line["level"] == "SEVERE"]
-        self.assertEqual(errors, [])
-
     def find(self, selector):
         return self.browser.find_elements(By.CSS_SELECTOR, selector)
-
-    def wait_for(self, condition):
-        """What the page does a little later."""
-        return WebDriverWait(self.browser, 30).until(lambda _: condition())
-
-    def run_script(self, script, *arguments):
-        return self.browser.execute_script(script, *arguments)
 
     def choose_noise(self, noise):
         labels = {option.get_attribute("value"): option for option in self.find("#noise option")}
