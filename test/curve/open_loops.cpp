@@ -26,14 +26,15 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A regular polygon with this number of vertices.
-Skeleton_graph polygon(std::size_t size)
+/// A regular polygon with this number of vertices, and their evidence.
+Skeleton_graph polygon(std::size_t size, double evidence)
 {
   Skeleton_graph graph;
   graph.vertices.resize(size);
   for(std::size_t v = 0; v < size; ++v) {
     const double angle = 2 * CGAL_PI * static_cast<double>(v) / static_cast<double>(size);
     graph.vertices[v].position = {std::cos(angle), std::sin(angle), 0};
+    graph.vertices[v].evidence = evidence;
     graph.edges.emplace_back(v, (v + 1) % size);
   }
   return graph;
@@ -107,32 +108,31 @@ TEST_CASE("There is evidence for a tube and for a line, not for scattered points
 
 TEST_CASE("A loop is opened where its evidence is least")
 {
-  std::vector<double> evidence(10, 0.4);
-  evidence[6] = 0.1;
-  const Skeleton_graph opened = with_loops_opened(polygon(10), evidence, 0.5);
+  Skeleton_graph graph = polygon(10, 0.4);
+  graph.vertices[6].evidence = 0.1;
+  const Skeleton_graph opened = with_loops_opened(graph, 0.5);
   CHECK(opened.edges.size() == 9);
   CHECK(has_edge(opened, 5, 6) != has_edge(opened, 6, 7));
 }
 
 TEST_CASE("A loop with enough evidence stays, though one place has none; a tree has no loop")
 {
-  std::vector<double> evidence(10, 0.9);
-  evidence[6] = 0;
-  CHECK(with_loops_opened(polygon(10), evidence, 0.5).edges.size() == 10);
-  CHECK(with_loops_opened(polygon(10), evidence, infinity).edges.size() == 9);
+  Skeleton_graph graph = polygon(10, 0.9);
+  graph.vertices[6].evidence = 0;
+  CHECK(with_loops_opened(graph, 0.5).edges.size() == 10);
+  CHECK(with_loops_opened(graph, infinity).edges.size() == 9);
 }
 
 TEST_CASE("Of two loops with a common side each is judged alone, and all stays connected")
 {
   // Vertices 0 to 9 around, and a path 0, 10, 5 across: the loop on the side of 1 to 4 is weak.
-  Skeleton_graph graph = polygon(10);
-  graph.vertices.emplace_back();
+  Skeleton_graph graph = polygon(10, 1);
+  graph.vertices.push_back(graph.vertices.front());
   graph.edges.emplace_back(0, 10);
   graph.edges.emplace_back(10, 5);
-  std::vector<double> evidence(11, 1);
   for(std::size_t v = 1; v < 5; ++v)
-    evidence[v] = 0.1;
-  const Skeleton_graph opened = with_loops_opened(graph, evidence, 0.8);
+    graph.vertices[v].evidence = 0.1;
+  const Skeleton_graph opened = with_loops_opened(graph, 0.8);
   CHECK(opened.edges.size() == graph.edges.size() - 1);
   for(std::size_t v = 5; v < 10; ++v)
     CHECK(has_edge(opened, v, (v + 1) % 10));

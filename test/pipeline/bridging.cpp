@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // A limb goes on behind a gap in the data; two limbs side by side are not joined unless asked for.
+// See also curve/gaps.cpp.
 
 #include "catch2.h"
+#include "generator/Random.h"
 #include "graph_counts.h"
 #include "shapes.h"
 
@@ -13,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -85,6 +88,30 @@ TEST_CASE("Parts side by side are joined only if a single component is asked for
     const Graph_counts single = counts_of(points, true);
     CHECK(single.components == 1);
     CHECK(single.cycles == 0);
+  }
+}
+
+TEST_CASE("Wires behind something are continued: in a frame they close loops")
+{
+  // Two squares side by side, of lines of points; of each line a piece is missing.
+  constexpr double spacing = 0.005, missing = 0.04;
+  const double width = GENERATE(0.0, 0.3 * spacing);
+  const std::vector<std::pair<Vector, Vector>> lines = {
+    {{0, 0, 0}, {2, 0, 0}}, {{0, 1, 0}, {2, 1, 0}}, {{0, 0, 0}, {0, 1, 0}},
+    {{1, 0, 0}, {1, 1, 0}}, {{2, 0, 0}, {2, 1, 0}}};
+  for(const unsigned int seed : seeds) {
+    CAPTURE(seed, width);
+    shapes::Random random(seed);
+    std::vector<Vector> points;
+    for(const auto& [from, to] : lines) {
+      const double length = (to - from).norm(), gap = random.uniform(0.2, 0.4);
+      for(double at = 0; at <= length; at += spacing)
+        if(std::abs(at - gap) > missing)
+          points.push_back(from + at * (to - from) / length + width * random.normal_vector());
+    }
+    const Graph_counts counts = counts_of(points);
+    CHECK(counts.components == 1);
+    CHECK(counts.cycles == 2);
   }
 }
 

@@ -14,12 +14,16 @@ namespace internal {
 struct Curve_options
 {
   /// Share of the points of the largest component, in [0, 1), below which a component is dropped as
-  /// a cluster of outliers.
+  /// a cluster of outliers, unless it is a fragment.
   double stray_share = 0.01;
 
-  /// Least mean evidence along a loop, in [0, 1], see `Limb_evidence`; others are opened. 0.6 and
-  /// more where limbs are resolved, 0.3 to 0.5 in crowns in leaf.
-  double loop_evidence = 0.5;
+  /// Share of the points of another component, in [0, 1], up to which a component may be a fragment
+  /// of it; what has more is a shape of its own, as the next tree of a forest.
+  double fragment_share = 0.1;
+
+  /// Least mean evidence along a loop or a fragment, in [0, 1], see `Limb_evidence`; loops with
+  /// less are opened. 0.6 and more where limbs are resolved, 0.3 to 0.5 in crowns in leaf.
+  double limb_evidence = 0.5;
 
   /// Least slenderness of a branch, >= 0: its length beyond a cross-section over half the width of
   /// that. 1 for a dome and the corner of a plate, 1.7 for a cone of 60 degrees, 3 and more for a
@@ -58,7 +62,8 @@ struct Curve_options
   void check() const
   {
     CGAL_precondition(stray_share >= 0 && stray_share < 1);
-    CGAL_precondition(loop_evidence >= 0 && loop_evidence <= 1);
+    CGAL_precondition(fragment_share >= 0 && fragment_share <= 1);
+    CGAL_precondition(limb_evidence >= 0 && limb_evidence <= 1);
     CGAL_precondition(slenderness >= 0 && least_points >= 0);
     CGAL_precondition(widest_gap >= 0 && thin_limb >= 0 && thin_gap >= 0);
     CGAL_precondition(aligned > 0 && aligned <= 1);
@@ -70,7 +75,8 @@ struct Curve_options
   void visit(const Visit& visit)
   {
     visit("stray_share", stray_share);
-    visit("loop_evidence", loop_evidence);
+    visit("fragment_share", fragment_share);
+    visit("limb_evidence", limb_evidence);
     visit("slenderness", slenderness);
     visit("least_points", least_points);
     visit("widest_gap", widest_gap);

@@ -28,6 +28,8 @@ struct Skeleton_graph
     double radius = 0;
     double resolution = 0; ///< Typical distance of the surface points around.
     bool is_cross_section = false; ///< Represents a separator, not a piece in between.
+    double evidence = 0; ///< For a limb there, in [0, 1], see `Limb_evidence`.
+    double open = 0; ///< Share of the patches around it whose other side was not seen, in [0, 1].
   };
   using Edge = std::pair<std::size_t, std::size_t>;
 

@@ -25,8 +25,13 @@ inline bool is_closed(const Branch& branch)
 inline Skeleton_graph::Vertex between(const Skeleton_graph::Vertex& a,
                                       const Skeleton_graph::Vertex& b, double t)
 {
-  return {a.position + t * (b.position - a.position), a.radius + t * (b.radius - a.radius),
-          a.resolution + t * (b.resolution - a.resolution), false};
+  const auto mean = [t](double x, double y) { return x + t * (y - x); };
+  return {Vector3(a.position + t * (b.position - a.position)),
+          mean(a.radius, b.radius),
+          mean(a.resolution, b.resolution),
+          false,
+          mean(a.evidence, b.evidence),
+          mean(a.open, b.open)};
 }
 
 /// Returns the path of vertices of degree 2 from `from` through its neighbour `to`, with its ends.

@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/minimum_spanning_forest.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Bridge.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/refine_curve.h>
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -21,34 +21,34 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Connects components of a skeleton across gaps in the data.
+/// Finds bridges between the components of a skeleton across gaps in the data.
 ///
 /// A bridge leads from a tip to another tip or to a vertex of another component. It is plausible if
 /// it is not much longer than the limb is thick and the tip points along it; between two tips, both
-/// must. Bridges are a minimum spanning forest of the components: they never close a cycle.
+/// must.
 class Bridging
 {
 public:
-  /// `surface[v]` are the surface points of vertex v. Refers to graph and options.
-  Bridging(Skeleton_graph& graph, std::vector<std::vector<Vector3>> surface,
+  /// `surface[v]` are the surface points of vertex v. Refers to all arguments.
+  Bridging(const Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
            const Curve_options& options)
       : options_(options)
       , graph_(graph)
       , adjacency_(graph.adjacency())
-      , surface_(std::move(surface))
+      , surface_(surface)
       , extent_(graph.vertices.size(), 0)
-      , sets_(graph.vertices.size())
   {
-    for(const Skeleton_graph::Edge& e : graph.edges)
-      sets_.join(e.first, e.second);
-    for(std::size_t v = 0; v < surface_.size(); ++v)
+    Union_find components = components_of(graph);
+    for(std::size_t v = 0; v < surface_.size(); ++v) {
+      component_.push_back(components.find(v));
       for(const Vector3& p : surface_[v])
         extent_[v] = (std::max)(extent_[v], (p - graph.vertices[v].position).norm());
+    }
   }
 
-  /// Adds plausible bridges, the shorter first. O(n log n), times the vertices within reach of a
-  /// tip: the widest gap from the thickest limb.
-  void bridge_gaps()
+  /// Returns the plausible bridges. O(n log n), times the vertices within reach of a tip: the
+  /// widest gap from the thickest limb.
+  std::vector<Bridge> bridges() const
   {
     std::vector<Vector3> positions;
     double thickest = 0, extent = 0;
@@ -58,49 +58,21 @@ public:
       extent = (std::max)(extent, extent_[v]);
     }
     const Box_tree places(positions);
-    std::vector<Bridge> bridges;
+    std::vector<Bridge> result;
     for(std::size_t v = 0; v < graph_.vertices.size(); ++v) {
       if(adjacency_[v].size() != 1)
         continue;
       const double gap = (std::max)(widest_gap(v, thickest), thin_gap(v));
       places.visit_within(positions[v], gap + extent_[v] + extent, [&](std::size_t k, double) {
         const std::size_t w = places.order()[k];
-        if(sets_.find(v) != sets_.find(w) && is_plausible(v, w))
-          bridges.push_back({v, w, distance(v, w)});
+        if(component_[v] != component_[w] && is_plausible(v, w))
+          result.push_back(bridge(v, w, graph_));
       });
     }
-    add(minimum_spanning_forest(sets_, graph_.vertices.size(), std::move(bridges)));
-  }
-
-  /// Adds the shortest bridges that connect all components. O(n^2 log n).
-  void join_all()
-  {
-    add(minimum_spanning_forest<Bridge>(
-      sets_, graph_.vertices.size(), [this](const auto& visit) {
-        for(std::size_t v = 0; v < graph_.vertices.size(); ++v)
-          for(std::size_t w = v + 1; w < graph_.vertices.size(); ++w)
-            if(sets_.find(v) != sets_.find(w))
-              visit(Bridge{v, w, distance(v, w)});
-      }));
+    return result;
   }
 
 private:
-  struct Bridge
-  {
-    std::size_t a, b;
-    double length;
-
-    bool operator<(const Bridge& other) const
-    {
-      return std::tie(length, a, b) < std::tie(other.length, other.a, other.b);
-    }
-  };
-
-  double distance(std::size_t v, std::size_t w) const
-  {
-    return (graph_.vertices[v].position - graph_.vertices[w].position).norm();
-  }
-
   /// Whether a tip points at vertex `w`.
   bool points_at(std::size_t end, std::size_t w) const
   {
@@ -113,8 +85,8 @@ private:
   bool is_gap_below(double most, std::size_t v, std::size_t w) const
   {
     if(surface_[v].empty() || surface_[w].empty())
-      return distance(v, w) < most;
-    if(distance(v, w) - extent_[v] - extent_[w] >= most)
+      return bridge(v, w, graph_).length < most;
+    if(bridge(v, w, graph_).length - extent_[v] - extent_[w] >= most)
       return false;
     for(const Vector3& p : surface_[v])
       for(const Vector3& q : surface_[w])
@@ -147,20 +119,36 @@ private:
            is_gap_below(widest_gap(end, graph_.vertices[w].radius), end, w);
   }
 
-  void add(std::vector<Bridge> bridges)
-  {
-    std::sort(bridges.begin(), bridges.end());
-    for(const Bridge& bridge : bridges)
-      graph_.edges.emplace_back(bridge.a, bridge.b);
-  }
-
   const Curve_options& options_;
-  Skeleton_graph& graph_;
-  std::vector<std::vector<std::size_t>> adjacency_; ///< Without the bridges.
-  std::vector<std::vector<Vector3>> surface_;
+  const Skeleton_graph& graph_;
+  std::vector<std::vector<std::size_t>> adjacency_;
+  const std::vector<std::vector<Vector3>>& surface_;
   std::vector<double> extent_; ///< Greatest distance of the surface points of each vertex.
-  Union_find sets_;
+  std::vector<std::size_t> component_; ///< Of each vertex.
 };
+
+/// Part 3d: adds plausible bridges between components, the shorter first, see `Bridging`.
+/// `surface[v]` are the surface points of vertex v. O(n log n), times the vertices within reach.
+inline void bridge_gaps(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
+                        const Curve_options& options)
+{
+  add_forest(graph, Bridging(graph, surface, options).bridges());
+}
+
+/// Part 3d: adds the shortest bridges that connect all components. O(n^2 log n).
+inline void join_all(Skeleton_graph& graph)
+{
+  Union_find components = components_of(graph);
+  const std::size_t n = graph.vertices.size();
+  std::vector<Bridge> bridges =
+    minimum_spanning_forest<Bridge>(components, n, [&](const auto& visit) {
+      for(std::size_t v = 0; v < n; ++v)
+        for(std::size_t w = v + 1; w < n; ++w)
+          if(components.find(v) != components.find(w))
+            visit(bridge(v, w, graph));
+    });
+  add_forest(graph, std::move(bridges));
+}
 
 } // namespace internal
 } // namespace Point_set_skeletonization_3

@@ -10,7 +10,11 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/bridge_gaps.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/centre_curve.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/continue_limbs.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/join_fragments.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/refine_curve.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/stray_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/nearest_points.h>
@@ -45,17 +49,19 @@ inline std::vector<std::size_t> vertices_of_samples(const Skeleton_graph& graph,
   return surface.tree.by_index(nearest_points(Box_tree(vertices), in_order, concurrency));
 }
 
-/// Fits a skeleton graph to the surface.
+/// Fits a skeleton graph to the surface: first `connect()`, then `centre()`, each once.
 class Curve_fitting
 {
 public:
-  /// `points` are the surface points before denoising, without outliers; `noise`, in [0, 1], is its
-  /// strength. Refers to all but the graph.
-  Curve_fitting(Skeleton_graph graph, const Surface& surface, const Samples& samples,
-                const std::vector<Surface_point>& points, double noise,
+  /// `points` are the surface points before denoising, and `noise`, in [0, 1], is its strength.
+  /// `is_outlier` says which samples are dropped already. Refers to all but the first two
+  /// arguments.
+  Curve_fitting(Skeleton_graph graph, std::vector<bool> is_outlier, const Surface& surface,
+                const Samples& samples, const std::vector<Surface_point>& points, double noise,
                 const Curve_options& options, Concurrency concurrency)
       : options_(options)
       , graph_(std::move(graph))
+      , is_outlier_(std::move(is_outlier))
       , surface_(surface)
       , samples_(samples)
       , points_(points)
@@ -63,22 +69,40 @@ public:
       , concurrency_(concurrency)
   {}
 
-  /// Smooths the graph, bridges gaps, centres it, moves the tips to the ends of limbs and measures
-  /// the radii. To be called once.
-  Skeleton_graph run(bool single_component)
+  /// Smooths the graph, connects it over gaps and drops what remains of stray components.
+  /// \param is_frame whether limbs are continued over gaps so that cycles close
+  void connect(bool is_frame, bool single_component)
   {
     smooth(graph_);
     resample();
     measure_radii();
-    bridge(single_component);
-    centre();
+    const std::vector<std::size_t> vertex_of_sample = vertices_of_samples();
+    bridge_gaps(graph_, points_of_vertices(vertex_of_sample), options_);
+    const std::vector<double> points = numbers_of_points(vertex_of_sample);
+    join_fragments(graph_, points, options_);
+    if(is_frame)
+      continue_limbs(graph_, options_);
+    drop(stray_vertices(graph_, points, options_.stray_share), vertex_of_sample);
+    if(single_component)
+      join_all(graph_);
+    resample();
+  }
+
+  /// Centres the graph, moves the tips to the ends of limbs and measures the radii.
+  void centre()
+  {
+    centre_vertices();
     extend();
-    centre();
+    centre_vertices();
     measure_radii();
     if(noise_ > 0)
       correct_radii(points_of_vertices());
-    return std::move(graph_);
   }
+
+  const Skeleton_graph& graph() const { return graph_; }
+
+  /// Whether each sample was dropped.
+  const std::vector<bool>& is_outlier() const { return is_outlier_; }
 
 private:
   /// Resamples to the steps that the options ask for, or longer ones (where points coincide): a
@@ -94,16 +118,15 @@ private:
     });
   }
 
-  void bridge(bool single_component)
+  /// Drops vertices; their samples are outliers.
+  void drop(const std::vector<bool>& vertices, const std::vector<std::size_t>& vertex_of_sample)
   {
-    Bridging bridging(graph_, points_of_vertices(), options_);
-    bridging.bridge_gaps();
-    if(single_component)
-      bridging.join_all();
-    resample();
+    for(std::size_t i = 0; i < samples_.size(); ++i)
+      is_outlier_[i] = is_outlier_[i] || vertices[vertex_of_sample[i]];
+    graph_ = without(graph_, vertices);
   }
 
-  void centre()
+  void centre_vertices()
   {
     measure_radii();
     centre_curve(
@@ -172,37 +195,47 @@ private:
     }
   }
 
-  /// The surface points of each vertex.
-  std::vector<std::vector<Vector3>> points_of_vertices() const
+  /// The vertex nearest to each sample.
+  std::vector<std::size_t> vertices_of_samples() const
   {
-    const std::vector<std::size_t> vertex_of_sample =
-      vertices_of_samples(graph_, surface_, samples_, concurrency_);
+    return internal::vertices_of_samples(graph_, surface_, samples_, concurrency_);
+  }
+
+  /// The number of points of each vertex, without outliers.
+  std::vector<double> numbers_of_points(const std::vector<std::size_t>& vertex_of_sample) const
+  {
+    std::vector<double> result(graph_.vertices.size(), 0);
+    for(std::size_t i = 0; i < samples_.size(); ++i)
+      if(!is_outlier_[i])
+        result[vertex_of_sample[i]] += surface_.patches[i].weight;
+    return result;
+  }
+
+  /// The surface points of each vertex, without outliers.
+  std::vector<std::vector<Vector3>>
+  points_of_vertices(const std::vector<std::size_t>& vertex_of_sample) const
+  {
     std::vector<std::vector<Vector3>> result(graph_.vertices.size());
     for(const Surface_point& point : points_)
-      result[vertex_of_sample[point.sample]].push_back(point.position);
+      if(!is_outlier_[point.sample])
+        result[vertex_of_sample[point.sample]].push_back(point.position);
     return result;
+  }
+
+  std::vector<std::vector<Vector3>> points_of_vertices() const
+  {
+    return points_of_vertices(vertices_of_samples());
   }
 
   const Curve_options& options_;
   Skeleton_graph graph_;
+  std::vector<bool> is_outlier_; ///< For each sample.
   const Surface& surface_;
   const Samples& samples_;
   const std::vector<Surface_point>& points_;
   double noise_;
   Concurrency concurrency_;
 };
-
-/// Part 3d: returns a curve through the middle of the limbs that a graph connects; see
-/// `Curve_fitting`. O(n log n) in practice, with six sparse linear systems.
-/// \pre there is a vertex
-inline Skeleton_graph fit_curve(Skeleton_graph graph, const Surface& surface,
-                                const Samples& samples, const std::vector<Surface_point>& points,
-                                double noise, bool single_component, const Curve_options& options,
-                                Concurrency concurrency)
-{
-  return Curve_fitting(std::move(graph), surface, samples, points, noise, options, concurrency)
-    .run(single_component);
-}
 
 } // namespace internal
 } // namespace Point_set_skeletonization_3

@@ -47,7 +47,8 @@ public:
     for(std::size_t i : patches)
       width += (surface_.patches[i].mean - vertex.position).norm();
     width /= static_cast<double>(patches.size());
-    return (std::max)(solid / number, of_line(vertex.position, (std::max)(width, vertex.resolution)));
+    width = (std::max)(width, vertex.resolution);
+    return (std::max)(solid / number, of_line(vertex.position, width));
   }
 
 private:
@@ -95,16 +96,15 @@ private:
   Box_tree components_;
 };
 
-/// Returns the evidence for a limb at each vertex of a quotient. O(n log n) in practice.
-inline std::vector<double> limb_evidence(const Surface& surface, const Samples& samples,
-                                         const Surface_quotient& quotient, Concurrency concurrency)
+/// Sets the evidence for a limb at each vertex of a quotient. O(n log n) in practice.
+inline void set_evidence(Surface_quotient& quotient, const Surface& surface,
+                         const Samples& samples, Concurrency concurrency)
 {
   const Limb_evidence evidence(surface, samples, concurrency);
-  std::vector<double> result(quotient.members.size());
-  parallel_for(concurrency, result.size(), [&](std::size_t v) {
-    result[v] = evidence(quotient.graph.vertices[v], quotient.members[v]);
+  parallel_for(concurrency, quotient.members.size(), [&](std::size_t v) {
+    Skeleton_graph::Vertex& vertex = quotient.graph.vertices[v];
+    vertex.evidence = evidence(vertex, quotient.members[v]);
   });
-  return result;
 }
 
 } // namespace internal

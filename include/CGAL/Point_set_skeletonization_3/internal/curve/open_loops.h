@@ -22,10 +22,9 @@ namespace internal {
 class Weakest_loops
 {
 public:
-  /// `evidence` is that of each vertex, in [0, 1]; an edge has that of its weaker end. Refers to
-  /// both arguments. O(n log n).
-  Weakest_loops(const Skeleton_graph& graph, const std::vector<double>& evidence)
-    : graph_(graph), evidence_(evidence), parent_(graph.vertices.size(), none),
+  /// An edge has the evidence of its weaker end. Refers to the graph. O(n log n).
+  explicit Weakest_loops(const Skeleton_graph& graph)
+    : graph_(graph), parent_(graph.vertices.size(), none),
       depth_(graph.vertices.size(), 0)
   {
     std::vector<Skeleton_graph::Edge> edges = graph.edges;
@@ -50,7 +49,7 @@ public:
     const auto add = [&](std::size_t v, std::size_t w) {
       const double step = (graph_.vertices[v].position - graph_.vertices[w].position).norm();
       length += step;
-      sum += step * (evidence_[v] + evidence_[w]) / 2;
+      sum += step * (evidence(v) + evidence(w)) / 2;
     };
     auto [v, w] = edge;
     add(v, w);
@@ -66,9 +65,11 @@ public:
 private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
+  double evidence(std::size_t v) const { return graph_.vertices[v].evidence; }
+
   double weaker_end(const Skeleton_graph::Edge& e) const
   {
-    return (std::min)(evidence_[e.first], evidence_[e.second]);
+    return (std::min)(evidence(e.first), evidence(e.second));
   }
 
   /// Roots each tree of the forest, by breadth-first search.
@@ -91,17 +92,15 @@ private:
   }
 
   const Skeleton_graph& graph_;
-  const std::vector<double>& evidence_;
   std::vector<Skeleton_graph::Edge> closing_;
   std::vector<std::size_t> parent_, depth_; ///< In the forest.
 };
 
 /// Part 3c: returns the graph with loops opened where their evidence is least, unless their mean
 /// evidence is at least `least`. O(n log n + loops times their length).
-inline Skeleton_graph with_loops_opened(Skeleton_graph graph, const std::vector<double>& evidence,
-                                        double least)
+inline Skeleton_graph with_loops_opened(Skeleton_graph graph, double least)
 {
-  const Weakest_loops loops(graph, evidence);
+  const Weakest_loops loops(graph);
   std::vector<Skeleton_graph::Edge> opened;
   for(const Skeleton_graph::Edge& edge : loops.closing_edges())
     if(loops.mean_evidence(edge) < least)

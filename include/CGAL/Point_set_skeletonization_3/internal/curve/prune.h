@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Measured_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/branches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/stray_components.h>
@@ -198,8 +199,9 @@ struct Pruned_quotient
   std::vector<bool> is_stray; ///< For each vertex of the quotient: it consists of outliers.
 };
 
-/// Part 3c: removes stray components, spurs and caps. `components` are the positions of the mixture
-/// components, and `groups` those of each patch. O(n log n) per spur.
+/// Part 3c: removes stray components, unless they may be fragments, spurs and caps. `components`
+/// are the positions of the mixture components, and `groups` those of each patch. O(n log n) per
+/// spur.
 inline Pruned_quotient prune(const Surface_quotient& quotient, const Patches& patches,
                              const std::vector<Vector3>& components, const Patch_groups& groups,
                              const Curve_options& options)
@@ -215,6 +217,12 @@ inline Pruned_quotient prune(const Surface_quotient& quotient, const Patches& pa
   }
   Pruned_quotient result;
   result.is_stray = stray_vertices(graph, weights, options.stray_share);
+  const Measured_components parts(graph, weights);
+  for(std::size_t v = 0; v < weights.size(); ++v) { // fragments may yet be joined
+    const Curve_evidence& curve = parts.of(v).curve;
+    if(curve.is_open() && curve.evidence() >= options.limb_evidence)
+      result.is_stray[v] = false;
+  }
   std::vector<bool> removed = Spur_pruning(graph, points, options).spurs();
   for(std::size_t v = 0; v < removed.size(); ++v)
     removed[v] = removed[v] || result.is_stray[v];

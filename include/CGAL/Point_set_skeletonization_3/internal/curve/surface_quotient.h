@@ -146,8 +146,8 @@ patches_of_vertices(const std::vector<std::size_t>& vertex_of_patch, std::size_t
 }
 
 /// Returns the L1-median of some samples, which is robust against outliers, by Weiszfeld's
-/// iteration from their mean; their mean radius, and the mean resolution of their patches.
-/// O(samples). \pre there is a sample
+/// iteration from their mean; their mean radius, the mean resolution of their patches, and the
+/// share that is on its patch. O(samples). \pre there is a sample
 inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
                                      const Patches& patches, const Samples& samples)
 {
@@ -157,6 +157,7 @@ inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
     result.position += share * samples[i].position;
     result.radius += share * samples[i].radius;
     result.resolution += share * patches[i].resolution();
+    result.open += is_off_surface(samples[i], patches[i]) ? 0 : share;
   }
   constexpr int iterations = 10; // it converges linearly, and a tenth of a radius is enough
   for(int iteration = 0; iteration < iterations; ++iteration) {

@@ -5,6 +5,7 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_SAMPLE_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 
 #include <vector>
 
@@ -18,6 +19,14 @@ struct Sample
   Vector3 position = Vector3::Zero();
   double radius = 0; ///< Distance to the nearest patch visible from inside; 0: none is.
 };
+
+/// Whether a sample is off its patch, the centre of a medial ball: the other side of the limb was
+/// seen.
+inline bool is_off_surface(const Sample& sample, const Patch& patch)
+{
+  constexpr double rounding = 0.01; // spacings
+  return (sample.position - patch.mean).norm() > rounding * patch.spacing;
+}
 
 using Samples = std::vector<Sample>; ///< One per patch, in their order.
 

@@ -5,9 +5,8 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PIPELINE_LIMB_NETWORK_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
-#include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/count_tips_and_loops.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/limb_evidence.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/open_loops.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
@@ -19,7 +18,6 @@
 #include <CGAL/Point_set_skeletonization_3/internal/separators/local_separators.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
-#include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -48,45 +46,24 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
     local_separators(candidates, surface, samples, overlaps, options.separators, concurrency);
   Limb_network result;
   result.quotient = surface_quotient(surface.patches, samples, overlaps, separators, concurrency);
-  const std::vector<double> evidence =
-    limb_evidence(surface, samples, result.quotient, concurrency);
-  result.quotient.graph =
-    with_loops_opened(std::move(result.quotient.graph), evidence, least_evidence);
+  set_evidence(result.quotient, surface, samples, concurrency);
+  result.quotient.graph = with_loops_opened(std::move(result.quotient.graph), least_evidence);
   result.pruned = prune(result.quotient, surface.patches, surface.components, surface.groups,
                         options.curve);
   return result;
 }
 
-/// Number of independent loops. O(n).
-inline std::size_t number_of_loops(const Skeleton_graph& graph)
-{
-  Union_find sets(graph.vertices.size());
-  std::size_t result = 0;
-  for(const Skeleton_graph::Edge& e : graph.edges)
-    result += sets.join(e.first, e.second) ? 0 : 1;
-  return result;
-}
-
-/// Number of free ends. O(n).
-inline std::size_t number_of_tips(const Skeleton_graph& graph)
-{
-  std::size_t result = 0;
-  for(const std::vector<std::size_t>& neighbors : graph.adjacency())
-    result += neighbors.size() == 1 ? 1 : 0;
-  return result;
-}
-
-/// Part 3a to 3c: returns the network of limbs, by the better of two readings.
+/// Part 3a to 3c: returns the network of limbs, or two readings of it: as a frame, then as a tree.
 ///
 /// Where limbs are not resolved (twigs of a few points across, limbs as thin as the noise, open
-/// strips), nothing local tells the joint of two limbs from two that touch. As a frame, all adjacent
-/// patches without medial balls are in one limb, so that contacts close loops; as a tree, they are
-/// joined where nothing else joins them, and close none. What ends freely more often than contacts
-/// close loops grows like a tree, and the contacts are accidental.
-/// O(n log n) in practice; the second reading only where there are patches without balls.
-inline Limb_network read_limbs(const Surface& surface, const Samples& samples,
-                               const Linking_options& options, Concurrency concurrency,
-                               const Progress& progress)
+/// strips), nothing local tells the joint of two limbs from two that touch. As a frame, all
+/// adjacent patches without medial balls are in one limb, so that contacts close loops; as a tree,
+/// they are joined where nothing else joins them, and close none. There is one reading if all
+/// patches have balls, if the frame has no tips, or if the shape is known to be a tree.
+/// O(n log n) in practice.
+inline std::vector<Limb_network> read_limbs(const Surface& surface, const Samples& samples,
+                                            const Linking_options& options,
+                                            Concurrency concurrency, const Progress& progress)
 {
   constexpr double as_frame = 1, as_tree = 0; // overlap of unknown balls
   const bool is_tree = options.known.is_tree;
@@ -97,19 +74,16 @@ inline Limb_network read_limbs(const Surface& surface, const Samples& samples,
     separator_candidates(surface, samples, overlaps.pairs(), options.separators, concurrency);
   progress(0.6);
   const double least_evidence =
-    is_tree ? std::numeric_limits<double>::infinity() : options.curve.loop_evidence;
+    is_tree ? std::numeric_limits<double>::infinity() : options.curve.limb_evidence;
   const auto read = [&](const Ball_overlaps& known) {
     return limb_network(surface, samples, known, candidates, least_evidence, options, concurrency);
   };
-  Limb_network frame = read(overlaps);
+  std::vector<Limb_network> result = {read(overlaps)};
   progress(0.8);
-  const std::size_t tips = number_of_tips(frame.pruned.graph);
-  if(is_tree || !overlaps.has_unknown() || tips == 0)
-    return frame;
-  Limb_network tree = read(overlaps.with_unknown(as_tree));
+  if(!is_tree && overlaps.has_unknown() && number_of_tips(result.front().pruned.graph) > 0)
+    result.push_back(read(overlaps.with_unknown(as_tree)));
   progress(1);
-  const std::size_t resolved_loops = number_of_loops(tree.pruned.graph);
-  return tips + resolved_loops > number_of_loops(frame.pruned.graph) ? tree : frame;
+  return result;
 }
 
 } // namespace internal

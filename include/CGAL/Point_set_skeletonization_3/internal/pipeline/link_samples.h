@@ -7,13 +7,13 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/count_tips_and_loops.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/fit_curve.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/pipeline/Linking_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/pipeline/limb_network.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -32,35 +32,56 @@ struct Linked_samples
   std::vector<std::size_t> vertex_of_sample; ///< `none` for outliers.
 };
 
+/// Returns the curve of a network of limbs, connected over gaps, but not centred yet. Refers to all
+/// arguments but the network. O(n log n). \param is_frame see `Curve_fitting::connect()`
+inline Curve_fitting connected_curve(const Limb_network& network, bool is_frame,
+                                     const Surface& surface, const Samples& samples, double noise,
+                                     const std::vector<Surface_point>& points,
+                                     const Linking_options& options, Concurrency concurrency)
+{
+  std::vector<bool> is_outlier;
+  for(std::size_t v : network.quotient.vertex_of_patch)
+    is_outlier.push_back(network.pruned.is_stray[v]);
+  Curve_fitting result(network.pruned.graph, std::move(is_outlier), surface, samples, points, noise,
+                       options.curve, concurrency);
+  result.connect(is_frame, options.known.single_component);
+  return result;
+}
+
 /// Stage 3: returns the curve skeleton of samples. O(n log n) in practice.
+///
+/// Of two readings of the limbs, the frame is kept unless it has more tips than loops that the tree
+/// does not have: what ends freely more often than contacts and continuations close loops grows
+/// like a tree, and those loops are accidental.
 ///
 /// \param noise strength of the noise removed, in [0, 1]
 /// \param points surface points before denoising, which shrinks curved surfaces, each with its
 ///        sample; those of a sample are consecutive
 /// \pre there is a sample
 inline Linked_samples link_samples(const Surface& surface, const Samples& samples, double noise,
-                                   std::vector<Surface_point> points,
+                                   const std::vector<Surface_point>& points,
                                    const Linking_options& options, Concurrency concurrency,
                                    const Progress& progress)
 {
   options.check();
-  const Limb_network network =
+  const std::vector<Limb_network> readings =
     read_limbs(surface, samples, options, concurrency, progress.part(0, 0.7));
-  const Pruned_quotient& pruned = network.pruned;
-
-  const auto is_outlier = [&](std::size_t sample) {
-    return pruned.is_stray[network.quotient.vertex_of_patch[sample]];
-  };
-  points.erase(std::remove_if(points.begin(), points.end(),
-                              [&](const Surface_point& p) { return is_outlier(p.sample); }),
-               points.end());
-  Linked_samples result;
-  result.graph = fit_curve(pruned.graph, surface, samples, points, noise,
-                           options.known.single_component, options.curve, concurrency);
+  std::vector<Curve_fitting> curves;
+  for(const Limb_network& reading : readings)
+    curves.push_back(connected_curve(reading, readings.size() > 1 && curves.empty(), surface,
+                                     samples, noise, points, options, concurrency));
+  Curve_fitting& frame = curves.front();
+  Curve_fitting& tree = curves.back();
+  const bool is_frame = number_of_tips(frame.graph()) + number_of_loops(tree.graph()) <=
+                        number_of_loops(frame.graph());
+  Curve_fitting& curve = is_frame ? frame : tree;
+  curve.centre();
   progress(0.95);
+  Linked_samples result;
+  result.graph = curve.graph();
   result.vertex_of_sample = vertices_of_samples(result.graph, surface, samples, concurrency);
   for(std::size_t i = 0; i < samples.size(); ++i)
-    if(is_outlier(i))
+    if(curve.is_outlier()[i])
       result.vertex_of_sample[i] = Linked_samples::none;
   progress(1);
   return result;

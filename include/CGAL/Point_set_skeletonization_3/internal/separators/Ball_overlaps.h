@@ -53,11 +53,9 @@ inline std::vector<Medial_ball> known_balls(const Patches& patches, const Sample
   std::vector<Medial_ball> balls(patches.size());
   using Step = std::tuple<double, std::size_t, std::size_t>; // length of path, patch, source
   std::priority_queue<Step, std::vector<Step>, std::greater<Step>> queue;
-  for(std::size_t i = 0; i < patches.size(); ++i) {
-    const double radius = (samples[i].position - patches[i].mean).norm();
-    if(radius > 0.01 * patches[i].spacing)
-      balls[i] = {samples[i].position, radius};
-  }
+  for(std::size_t i = 0; i < patches.size(); ++i)
+    if(is_off_surface(samples[i], patches[i]))
+      balls[i] = {samples[i].position, (samples[i].position - patches[i].mean).norm()};
   const auto is_unknown = [&](std::size_t i) { return balls[i].radius == 0; };
   for(std::size_t i = 0; i < patches.size(); ++i) {
     const std::vector<std::size_t>& neighbors = patches[i].neighbors;

@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_COUNT_TIPS_AND_LOOPS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_COUNT_TIPS_AND_LOOPS_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// Number of independent loops. O(n).
+inline std::size_t number_of_loops(const Skeleton_graph& graph)
+{
+  Union_find sets(graph.vertices.size());
+  std::size_t result = 0;
+  for(const Skeleton_graph::Edge& e : graph.edges)
+    result += sets.join(e.first, e.second) ? 0 : 1;
+  return result;
+}
+
+/// Number of free ends. O(n).
+inline std::size_t number_of_tips(const Skeleton_graph& graph)
+{
+  std::size_t result = 0;
+  for(const std::vector<std::size_t>& neighbors : graph.adjacency())
+    result += neighbors.size() == 1 ? 1 : 0;
+  return result;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_COUNT_TIPS_AND_LOOPS_H

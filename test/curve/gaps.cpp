@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What is joined over gaps: fragments and limbs that were not seen from all sides.
+
+#include "catch2.h"
+
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Measured_components.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/continue_limbs.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/count_tips_and_loops.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/join_fragments.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+using namespace CGAL::Point_set_skeletonization_3::internal;
+
+namespace {
+
+constexpr double step = 0.01;
+
+Skeleton_graph::Vertex vertex_at(const Vector3& position, double open)
+{
+  Skeleton_graph::Vertex result;
+  result.position = position;
+  result.radius = step;
+  result.resolution = step;
+  result.evidence = 1;
+  result.open = open;
+  return result;
+}
+
+/// Adds a line of vertices.
+void add_line(Skeleton_graph& graph, const Vector3& from, const Vector3& to, double open)
+{
+  const int edges = static_cast<int>(std::round((to - from).norm() / step));
+  for(int k = 0; k <= edges; ++k) {
+    if(k > 0)
+      graph.edges.emplace_back(graph.vertices.size() - 1, graph.vertices.size());
+    graph.vertices.push_back(vertex_at(from + k * (to - from) / edges, open));
+  }
+}
+
+/// Whether a line of length 0.2 is joined to one of length 4, at some distance from its middle.
+bool is_joined(double gap, double open, double points = 1)
+{
+  Skeleton_graph graph;
+  add_line(graph, Vector3(-2, 0, 0), Vector3(2, 0, 0), 0);
+  const std::size_t whole = graph.vertices.size();
+  add_line(graph, Vector3(0, gap, 0), Vector3(0, gap + 0.2, 0), open);
+  std::vector<double> number(graph.vertices.size(), points);
+  std::fill_n(number.begin(), whole, 1.0);
+  join_fragments(graph, number, Curve_options());
+  const bool result = Measured_components(graph, number).are_connected(0, whole);
+  CHECK(graph.edges.size() == graph.vertices.size() - (result ? 1 : 2)); // no cycle
+  return result;
+}
+
+/// An arc of the unit circle without some degrees.
+Skeleton_graph arc(double missing, double open, double evidence)
+{
+  Skeleton_graph graph;
+  constexpr int edges = 300;
+  for(int k = 0; k <= edges; ++k) {
+    const double angle = (360 - missing) * k / edges * CGAL_PI / 180;
+    graph.vertices.push_back(vertex_at(Vector3(std::cos(angle), std::sin(angle), 0), open));
+    graph.vertices.back().evidence = evidence;
+    if(k > 0)
+      graph.edges.emplace_back(k - 1, k);
+  }
+  return graph;
+}
+
+std::size_t loops_of_continued(Skeleton_graph graph)
+{
+  continue_limbs(graph, Curve_options());
+  return number_of_loops(graph);
+}
+
+} // namespace
+
+TEST_CASE("A fragment is joined if it is longer than the gap")
+{
+  CHECK(is_joined(0.15, 1));
+  CHECK_FALSE(is_joined(0.25, 1));
+}
+
+TEST_CASE("What was seen from all sides, or is no small part, is no fragment")
+{
+  CHECK_FALSE(is_joined(0.15, 0));
+  CHECK_FALSE(is_joined(0.15, 1, 10)); // half the points of the other
+}
+
+TEST_CASE("Fragments of fragments are joined")
+{
+  Skeleton_graph graph;
+  add_line(graph, Vector3(-2, 0, 0), Vector3(2, 0, 0), 1);
+  for(double y : {0.1, 0.4, 0.7})
+    add_line(graph, Vector3(0, y, 0), Vector3(0, y + 0.2, 0), 1);
+  join_fragments(graph, std::vector<double>(graph.vertices.size(), 1), Curve_options());
+  CHECK(graph.edges.size() == graph.vertices.size() - 1);
+}
+
+TEST_CASE("An arc becomes a circle if it is longer than the gap, and both tips point over it")
+{
+  CHECK(loops_of_continued(arc(30, 1, 1)) == 1);
+  CHECK(loops_of_continued(arc(120, 1, 1)) == 0);
+}
+
+TEST_CASE("Tips that were seen from all sides, or limbs without evidence, end where they end")
+{
+  CHECK(loops_of_continued(arc(30, 0, 1)) == 0);
+  CHECK(loops_of_continued(arc(30, 1, 0.2)) == 0);
+}
+
+TEST_CASE("A limb goes on to the limb that it points at, not to one beside it")
+{
+  Skeleton_graph graph;
+  add_line(graph, Vector3(0, 0, 0), Vector3(1, 0, 0), 1);
+  add_line(graph, Vector3(1.3, -1, 0), Vector3(1.3, 1, 0), 1); // in front
+  add_line(graph, Vector3(0, 0.2, 0), Vector3(1, 0.2, 0), 1); // beside, and in front of the same
+  const std::size_t before = graph.edges.size();
+  continue_limbs(graph, Curve_options());
+  REQUIRE(graph.edges.size() == before + 2);
+  for(std::size_t e = before; e < graph.edges.size(); ++e) {
+    const auto [a, b] = graph.edges[e];
+    CHECK(graph.vertices[a].position.x() == 1);
+    CHECK(graph.vertices[b].position.x() == 1.3);
+  }
+}
