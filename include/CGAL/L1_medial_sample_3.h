@@ -6,6 +6,8 @@
 
 #include <CGAL/license/Point_set_skeletonization_3.h>
 
+#include <CGAL/Origin.h>
+
 namespace CGAL {
 
 /// \ingroup PkgPointSetSkeletonization3Ref
