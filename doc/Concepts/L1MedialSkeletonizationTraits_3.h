@@ -5,10 +5,10 @@
 \ingroup PkgPointSetSkeletonization3Concepts
 \cgalConcept
 
-The requirements on the geometric traits of all functions and classes of this package: two types, and
-the construction of points. No predicate is used. Points are converted to `double` and scaled so that
-the bounding box of the input is centred at the origin and has a diagonal of length 1. The traits must
-be default constructible and copyable.
+The requirements on the geometric traits of all functions and classes of this package: two types,
+and the construction of points. No predicate is used. Points are converted to `double` and scaled so
+that the bounding box of the input is centred at the origin and has a diagonal of length 1. The
+traits must be default constructible and copyable.
 
 \cgalHasModelsBegin
 \cgalHasModels{any CGAL kernel with inexact constructions over `float` or `double`\, such as
@@ -29,8 +29,8 @@ public:
   typedef unspecified_type FT;
 
   /*!
-  A point: copyable and assignable, with members `x()`, `y()` and `z()`, whose results can be passed to
-  `CGAL::to_double()`.
+  A point: copyable and assignable, with members `x()`, `y()` and `z()`, whose results can be passed
+  to `CGAL::to_double()`.
   */
   typedef unspecified_type Point_3;
 
