@@ -63,8 +63,8 @@ Counts counts_of(const Cloud& cloud, const internal::Options& options)
   skeletonizer.project(progress);
   skeletonizer.link(progress);
   Skeleton skeleton;
-  internal::set_public_skeleton<Kernel>(
-    skeletonizer.skeleton(), 0, [](const internal::Index_lists&) {}, skeleton);
+  internal::set_public_skeleton(
+    skeletonizer.skeleton(), 0, [](const internal::Index_lists&) {}, Kernel(), skeleton);
   const Graph_counts counts = count_graph(skeleton);
   return {counts.components, counts.cycles, counts.ends};
 }

@@ -6,6 +6,8 @@
 
 #include <CGAL/license/Point_set_skeletonization_3.h>
 
+#include <CGAL/Origin.h>
+
 #include <boost/graph/adjacency_list.hpp>
 
 #include <cstdint>
@@ -20,7 +22,7 @@ template <typename GeomTraits>
 struct Curve_skeleton_vertex_3
 {
   /// Position, in the coordinates of the input.
-  typename GeomTraits::Point_3 point{0, 0, 0};
+  typename GeomTraits::Point_3 point = typename GeomTraits::Construct_point_3()(ORIGIN);
 
   /// Distance to the nearest surface visible from the vertex; >= 0, in the unit of the input.
   typename GeomTraits::FT radius = 0;

@@ -7,6 +7,7 @@
 #include <CGAL/license/Point_set_skeletonization_3.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Origin.h>
 
 #include <array>
 #include <vector>
@@ -27,7 +28,7 @@ struct Gaussian_component_3
   FT weight = 0;
 
   /// Mean, in the coordinates of the input.
-  Point_3 mean{0, 0, 0};
+  Point_3 mean = typename GeomTraits::Construct_point_3()(ORIGIN);
 
   /// Covariance (length squared), symmetric positive semidefinite, as its upper triangle
   /// xx, xy, xz, yy, yz, zz - the order of CGAL's `DiagonalizeTraits`.

@@ -16,7 +16,6 @@
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <array>
 #include <cstddef>

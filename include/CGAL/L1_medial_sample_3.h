@@ -6,6 +6,8 @@
 
 #include <CGAL/license/Point_set_skeletonization_3.h>
 
+#include <CGAL/Origin.h>
+
 namespace CGAL {
 
 /// \ingroup PkgPointSetSkeletonization3Ref
@@ -18,10 +20,14 @@ struct L1_medial_sample_3
   using FT = typename GeomTraits::FT;
   using Point_3 = typename GeomTraits::Point_3;
 
-  Point_3 origin{0, 0, 0}; ///< Start: a point of the input.
-  Point_3 point{0, 0, 0};  ///< Final position.
-  FT kernel_radius = 0;    ///< Support radius h of its kernel, > 0 (Eq. 10).
-  FT radius = 0;           ///< Distance to the nearest component of the mixture.
+  /// Start: a point of the input.
+  Point_3 origin = typename GeomTraits::Construct_point_3()(ORIGIN);
+
+  /// Final position.
+  Point_3 point = typename GeomTraits::Construct_point_3()(ORIGIN);
+
+  FT kernel_radius = 0; ///< Support radius h of its kernel, > 0 (Eq. 10).
+  FT radius = 0;        ///< Distance to the nearest component of the mixture.
 };
 
 } // namespace CGAL

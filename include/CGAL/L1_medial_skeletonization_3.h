@@ -136,14 +136,14 @@ public:
   /// The mixture of step 1, in the coordinates of the input, finest level first.
   Mixture mixture() const
   {
-    return Point_set_skeletonization_3::internal::to_public<Traits>(skeletonizer_.mixture());
+    return Point_set_skeletonization_3::internal::to_public(skeletonizer_.mixture(), traits_);
   }
 
   /// The samples of step 2, in the coordinates of the input: one per patch of the surface. With
   /// noise or outliers there are fewer than components.
   Samples samples() const
   {
-    return Point_set_skeletonization_3::internal::to_public<Traits>(skeletonizer_.samples());
+    return Point_set_skeletonization_3::internal::to_public(skeletonizer_.samples(), traits_);
   }
 
   /// Number of components of the finest level of the mixture, the input of step 2.
@@ -177,9 +177,10 @@ public:
   {
     CGAL_precondition(steps_.done() == 3);
     return steps_.run_polled([&] {
-      Point_set_skeletonization_3::internal::set_public_skeleton<Traits>(
+      Point_set_skeletonization_3::internal::set_public_skeleton(
         skeletonizer_.skeleton(), skeletonizer_.number_of_points(),
-        [this](const Index_lists& lists) { skeletonizer_.fill_point_indices(lists); }, skeleton);
+        [this](const Index_lists& lists) { skeletonizer_.fill_point_indices(lists); }, traits_,
+        skeleton);
     });
   }
 
@@ -192,10 +193,10 @@ public:
     CGAL_precondition(steps_.done() == 3);
     Skeletonizer skeletonizer = std::move(skeletonizer_);
     return steps_.run_polled([&] {
-      Point_set_skeletonization_3::internal::set_public_skeleton<Traits>(
+      Point_set_skeletonization_3::internal::set_public_skeleton(
         skeletonizer.skeleton(), skeletonizer.number_of_points(),
         [&](const Index_lists& lists) { skeletonizer.fill_point_indices_and_forget(lists); },
-        skeleton);
+        traits_, skeleton);
     });
   }
 
@@ -203,7 +204,8 @@ private:
   /// The common part of the constructors.
   template <typename NamedParameters>
   L1_medial_skeletonization_3(const NamedParameters& np, int)
-    : steps_(Point_set_skeletonization_3::internal::progress_of(np)),
+    : traits_(Point_set_skeletonization_3::internal::traits_of<Traits>(np)),
+      steps_(Point_set_skeletonization_3::internal::progress_of(np)),
       skeletonizer_(Point_set_skeletonization_3::internal::concurrency_of<ConcurrencyTag>(),
                     Point_set_skeletonization_3::internal::known_topology(np))
   {
@@ -220,6 +222,7 @@ private:
   /// Progress after step 2.
   double half() const { return reading_share_ + 0.45 * (1 - reading_share_); }
 
+  Traits traits_;
   Point_set_skeletonization_3::internal::Steps steps_;
   Skeletonizer skeletonizer_;
   std::function<void(Skeletonizer&, const Progress&)> fit_;

@@ -9,6 +9,7 @@
 #include <CGAL/Gaussian_mixture_3.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Origin.h>
 
 #include <cstddef>
 #include <vector>
@@ -26,7 +27,7 @@ struct Medial_sample_3
   Gaussian_component_3<GeomTraits> patch;
 
   /// Position of the sample, in the coordinates of the input.
-  typename GeomTraits::Point_3 point{0, 0, 0};
+  typename GeomTraits::Point_3 point = typename GeomTraits::Construct_point_3()(ORIGIN);
 
   /// Distance to the nearest patch visible from inside, in the unit of the input; 0 if none is.
   typename GeomTraits::FT radius = 0;
@@ -38,8 +39,11 @@ struct Medial_sample_3
 template <typename GeomTraits>
 struct Medial_surface_point_3
 {
-  typename GeomTraits::Point_3 point{0, 0, 0};    ///< As measured.
-  typename GeomTraits::Point_3 denoised{0, 0, 0}; ///< The same without noise.
+  /// As measured.
+  typename GeomTraits::Point_3 point = typename GeomTraits::Construct_point_3()(ORIGIN);
+
+  /// The same without noise.
+  typename GeomTraits::Point_3 denoised = typename GeomTraits::Construct_point_3()(ORIGIN);
 
   /// Number of points of the cloud.
   typename GeomTraits::FT weight = 1;

@@ -57,7 +57,8 @@ public:
   template <typename PointRange, typename NamedParameters = parameters::Default_named_parameters>
   explicit Published_l1_medial_skeletonization_3(
     const PointRange& points, const NamedParameters& np = parameters::default_values())
-    : steps_(Point_set_skeletonization_3::internal::progress_of(np)),
+    : traits_(Point_set_skeletonization_3::internal::traits_of<Traits>(np)),
+      steps_(Point_set_skeletonization_3::internal::progress_of(np)),
       skeletonizer_(Point_set_skeletonization_3::internal::concurrency_of<ConcurrencyTag>(),
                     Point_set_skeletonization_3::internal::published_options_of(np))
   {
@@ -118,7 +119,7 @@ public:
   /// The mixtures of step 1, in the coordinates of the input, finest level first.
   Mixture mixture() const
   {
-    return Point_set_skeletonization_3::internal::to_public<Traits>(skeletonizer_.mixture());
+    return Point_set_skeletonization_3::internal::to_public(skeletonizer_.mixture(), traits_);
   }
 
   /// The samples of step 2, a subset of the points, in the coordinates of the input.
@@ -127,8 +128,9 @@ public:
     namespace internal = Point_set_skeletonization_3::internal;
     std::vector<Sample> result;
     for(const internal::Plain_l1_sample& s : skeletonizer_.samples())
-      result.push_back({internal::to_public<Traits>(s.origin), internal::to_public<Traits>(s.point),
-                        static_cast<FT>(s.kernel_radius), static_cast<FT>(s.radius)});
+      result.push_back({internal::to_public(s.origin, traits_),
+                        internal::to_public(s.point, traits_), static_cast<FT>(s.kernel_radius),
+                        static_cast<FT>(s.radius)});
     return result;
   }
 
@@ -153,13 +155,15 @@ public:
   {
     CGAL_precondition(steps_.done() == 3);
     return steps_.run_polled([&] {
-      Point_set_skeletonization_3::internal::set_public_skeleton<Traits>(
+      Point_set_skeletonization_3::internal::set_public_skeleton(
         skeletonizer_.skeleton(), skeletonizer_.number_of_points(),
-        [this](const Index_lists& lists) { skeletonizer_.fill_point_indices(lists); }, skeleton);
+        [this](const Index_lists& lists) { skeletonizer_.fill_point_indices(lists); }, traits_,
+        skeleton);
     });
   }
 
 private:
+  Traits traits_;
   Point_set_skeletonization_3::internal::Steps steps_;
   Skeletonizer skeletonizer_;
   std::function<void(Skeletonizer&, const Progress&)> fit_;

@@ -53,7 +53,7 @@ bool compute_medial_samples(const Gaussian_mixture_3<GeomTraits>& mixture,
        skeletonizer.project(progress);
      }))
     return false;
-  samples = internal::to_public<GeomTraits>(skeletonizer.samples());
+  samples = internal::to_public(skeletonizer.samples(), GeomTraits());
   return true;
 }
 

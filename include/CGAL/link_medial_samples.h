@@ -68,10 +68,10 @@ bool link_medial_samples(const Medial_samples_3<GeomTraits>& samples, SkeletonGr
   internal::Steps steps(internal::progress_of(np));
   if(!steps.run(1, 0, 1, [&](const internal::Progress& progress) { skeletonizer.link(progress); }))
     return false;
-  internal::set_public_skeleton<GeomTraits>(
+  internal::set_public_skeleton(
     skeletonizer.skeleton(), skeletonizer.number_of_samples(),
     [&](const internal::Index_lists& lists) { skeletonizer.fill_sample_indices(lists); },
-    skeleton);
+    GeomTraits(), skeleton);
   return true;
 }
 

@@ -232,8 +232,6 @@ TEST_CASE("Any number of threads takes the same noise off")
 
 TEST_CASE("The exponential by its Taylor polynomial has nine digits")
 {
-  Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(1000, -1.0 / 7, 0);
-  const Eigen::ArrayXd found = exponential_of_32_times(x);
-  for(Eigen::Index i = 0; i < x.size(); ++i)
-    REQUIRE(found[i] == Approx(std::exp(32 * x[i])).epsilon(1e-8));
+  for(double x = -1.0 / 7; x <= 0; x += 1e-4)
+    REQUIRE(exponential_of_32_times(x) == Approx(std::exp(32 * x)).epsilon(1e-8));
 }

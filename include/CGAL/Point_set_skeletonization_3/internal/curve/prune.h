@@ -9,17 +9,14 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Measured_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/branches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/bridges.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/stray_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_groups.h>
 
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/biconnected_components.hpp>
-
 #include <algorithm>
 #include <cstddef>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -89,7 +86,8 @@ public:
         if(!removed[e.first] && !removed[e.second])
           rest.edges.push_back(e);
       const auto adjacency = rest.adjacency();
-      const Edge_set bridges = bridges_of(rest);
+      // The ends of a branch stay connected without it if it has no bridge.
+      const std::vector<std::size_t> part = parts_between_bridges(rest);
       double least = options_.slenderness;
       Branch spur;
       for(Branch branch : branches(rest)) {
@@ -101,7 +99,7 @@ public:
         const bool ends = adjacency[branch.back()].size() == 1;
         const bool thin =
             static_cast<double>(number_of_points(branch, ends)) < options_.least_points;
-        if(!ends && (branch.size() < 3 || !thin || contains(bridges, branch[0], branch[1])))
+        if(!ends && (branch.size() < 3 || !thin || part[branch[0]] != part[branch[1]]))
           continue;
         const double s = thin ? 0 : slenderness(branch);
         if(s < least) {
@@ -123,36 +121,6 @@ private:
     std::size_t result = 0;
     for(std::size_t k = 1; k + (ends ? 0 : 1) < branch.size(); ++k)
       result += surface_[branch[k]].size();
-    return result;
-  }
-
-  using Edge_set = std::set<std::pair<std::size_t, std::size_t>>;
-
-  static bool contains(const Edge_set& edges, std::size_t v, std::size_t w)
-  {
-    return edges.count({(std::min)(v, w), (std::max)(v, w)}) != 0;
-  }
-
-  /// The edges whose ends are not connected without them. The ends of a branch stay connected
-  /// without it if it has none of them. O(n log n).
-  static Edge_set bridges_of(const Skeleton_graph& graph)
-  {
-    using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS,
-                                        boost::no_property,
-                                        boost::property<boost::edge_index_t, std::size_t>>;
-    Graph copy(graph.vertices.size());
-    for(std::size_t e = 0; e < graph.edges.size(); ++e)
-      add_edge(graph.edges[e].first, graph.edges[e].second, e, copy);
-    std::vector<std::size_t> part(graph.edges.size()); // biconnected; one edge alone is a bridge
-    const std::size_t parts = boost::biconnected_components(
-        copy, boost::make_iterator_property_map(part.begin(), get(boost::edge_index, copy)));
-    std::vector<std::size_t> size(parts, 0);
-    for(std::size_t p : part)
-      ++size[p];
-    Edge_set result;
-    for(std::size_t e = 0; e < part.size(); ++e)
-      if(size[part[e]] == 1)
-        result.insert(std::minmax(graph.edges[e].first, graph.edges[e].second));
     return result;
   }
 

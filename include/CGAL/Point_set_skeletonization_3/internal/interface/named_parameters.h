@@ -9,8 +9,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/pipeline/Known_topology.h>
 #include <CGAL/Point_set_skeletonization_3/parameters.h>
 
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
@@ -84,8 +84,18 @@ using Maps_to_points = Is_point_3<std::decay_t<
 
 /// The geometric traits of a call.
 template <typename PointRange, typename NamedParameters>
-using Geom_traits_of =
-  typename Point_set_processing_3_np_helper<PointRange, NamedParameters>::Geom_traits;
+using Geom_traits_of = std::decay_t<typename internal_np::Lookup_named_param_def<
+  internal_np::geom_traits_t, NamedParameters,
+  typename Kernel_traits<typename boost::property_traits<
+    Point_map_of<PointRange, NamedParameters>>::value_type>::type>::type>;
+
+/// The traits object of a call, default a new one.
+template <typename Traits, typename NamedParameters>
+Traits traits_of(const NamedParameters& np)
+{
+  return parameters::choose_parameter<Traits>(
+    parameters::get_parameter(np, internal_np::geom_traits));
+}
 
 /// The concurrency that a tag asks for.
 template <typename ConcurrencyTag>

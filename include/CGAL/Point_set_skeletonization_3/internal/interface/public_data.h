@@ -40,19 +40,18 @@ Plain_point to_plain(const Point_3& p)
 }
 
 template <typename GeomTraits>
-typename GeomTraits::Point_3 to_public(const Plain_point& p)
+typename GeomTraits::Point_3 to_public(const Plain_point& p, const GeomTraits& traits)
 {
   using FT = typename GeomTraits::FT;
-  return typename GeomTraits::Point_3(static_cast<FT>(p[0]), static_cast<FT>(p[1]),
-                                      static_cast<FT>(p[2]));
+  return traits.construct_point_3_object()(static_cast<FT>(p[0]), static_cast<FT>(p[1]),
+                                           static_cast<FT>(p[2]));
 }
 
 template <typename GeomTraits>
-Gaussian_component_3<GeomTraits> to_public(const Plain_gaussian& g)
+Gaussian_component_3<GeomTraits> to_public(const Plain_gaussian& g, const GeomTraits& traits)
 {
   using FT = typename GeomTraits::FT;
-  Gaussian_component_3<GeomTraits> result{static_cast<FT>(g.weight),
-                                          to_public<GeomTraits>(g.mean), {}};
+  Gaussian_component_3<GeomTraits> result{static_cast<FT>(g.weight), to_public(g.mean, traits), {}};
   std::transform(g.covariance.begin(), g.covariance.end(), result.covariance.begin(),
                  [](double x) { return static_cast<FT>(x); });
   return result;
@@ -82,13 +81,13 @@ inline Plain_box to_plain(const Bbox_3& box)
 }
 
 template <typename GeomTraits>
-Gaussian_mixture_3<GeomTraits> to_public(const Plain_mixture& mixture)
+Gaussian_mixture_3<GeomTraits> to_public(const Plain_mixture& mixture, const GeomTraits& traits)
 {
   Gaussian_mixture_3<GeomTraits> result;
   for(const std::vector<Plain_gaussian>& level : mixture.levels) {
     result.levels.emplace_back();
     for(const Plain_gaussian& g : level)
-      result.levels.back().push_back(to_public<GeomTraits>(g));
+      result.levels.back().push_back(to_public(g, traits));
   }
   result.cell_size = static_cast<typename GeomTraits::FT>(mixture.cell_size);
   result.bbox = to_public(mixture.box);
@@ -110,17 +109,17 @@ Plain_mixture to_plain(const Gaussian_mixture_3<GeomTraits>& mixture)
 }
 
 template <typename GeomTraits>
-Medial_samples_3<GeomTraits> to_public(const Plain_samples& samples)
+Medial_samples_3<GeomTraits> to_public(const Plain_samples& samples, const GeomTraits& traits)
 {
   using FT = typename GeomTraits::FT;
   Medial_samples_3<GeomTraits> result;
   for(const Plain_sample& s : samples.samples)
-    result.samples.push_back({to_public<GeomTraits>(s.patch), to_public<GeomTraits>(s.point),
-                              static_cast<FT>(s.radius)});
+    result.samples.push_back(
+      {to_public(s.patch, traits), to_public(s.point, traits), static_cast<FT>(s.radius)});
   result.noise = static_cast<FT>(samples.noise);
   result.bbox = to_public(samples.box);
   for(const Plain_surface_point& p : samples.surface)
-    result.surface.push_back({to_public<GeomTraits>(p.point), to_public<GeomTraits>(p.denoised),
+    result.surface.push_back({to_public(p.point, traits), to_public(p.denoised, traits),
                               static_cast<FT>(p.weight), p.sample});
   return result;
 }
@@ -235,13 +234,13 @@ std::vector<Indices> filled_indices(std::size_t points, std::size_t vertices, co
 /// Replaces `skeleton` by a public graph; `fill(lists)` fills the lists of `points` points.
 template <typename GeomTraits, typename SkeletonGraph, typename Fill>
 void set_public_skeleton(const Plain_skeleton& plain, std::size_t points, const Fill& fill,
-                         SkeletonGraph& skeleton)
+                         const GeomTraits& traits, SkeletonGraph& skeleton)
 {
   using FT = typename GeomTraits::FT;
   SkeletonGraph result(plain.vertices.size());
   for(std::size_t v = 0; v < plain.vertices.size(); ++v) {
     auto& bundle = result[vertex(v, result)];
-    bundle.point = to_public<GeomTraits>(plain.vertices[v].point);
+    bundle.point = to_public(plain.vertices[v].point, traits);
     bundle.radius = static_cast<FT>(plain.vertices[v].radius);
   }
   for(std::size_t k = 0; k < plain.edges.size(); ++k) {
