@@ -13,12 +13,14 @@
 #include <boost/graph/biconnected_components.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <limits>
 #include <numeric>
 #include <queue>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -31,7 +33,7 @@ namespace internal {
 /// The least slender is removed first: then its junction may have degree 2 and two short branches
 /// become a long one. A branch is measured once, and again when it was joined with another. It is
 /// known by its ends, and measured from its tip only as far as it takes to see that it is slender:
-/// O(n log n) in practice, and O(n) for each bridge that is removed from a cycle.
+/// O(n log n) in practice.
 class Spur_pruning
 {
 public:
@@ -73,7 +75,7 @@ public:
     while(!queue_.empty()) {
       const Spur spur = queue_.top();
       queue_.pop();
-      if(is_current(spur) && (spur.has_tip || !is_bridge(spur.way))) {
+      if(is_current(spur) && (spur.has_tip || !is_bridge(spur))) {
         Progress::poll();
         remove(spur);
       }
@@ -165,7 +167,7 @@ private:
       removed_[last] = true;
     else {
       leave(last, to_[spur.end]);
-      is_bridge_.clear();
+      has_opened_ = true;
     }
     std::vector<std::size_t> changed;
     for(std::size_t v : {junction, last})
@@ -212,12 +214,39 @@ private:
     return static_cast<double>(points) < options_.least_points;
   }
 
-  /// Whether the ends of the branch of a way are not connected without it.
-  bool is_bridge(std::size_t way)
+  /// Whether the ends of a branch are not connected without it. A bridge remains one.
+  bool is_bridge(const Spur& spur)
   {
     if(is_bridge_.empty())
       find_bridges();
-    return is_bridge_[edge_[way]];
+    return is_bridge_[edge_[spur.way]] || (has_opened_ && !is_detour(spur));
+  }
+
+  /// Whether the ends of a branch are connected without it. Searches from both alternately: visits
+  /// about twice the smaller part if there are two.
+  bool is_detour(const Spur& spur) const
+  {
+    const std::array<std::size_t, 2> ends{from(spur.way), from(spur.end)};
+    if(ends[0] == ends[1])
+      return true;
+    std::unordered_map<std::size_t, std::size_t> side{{ends[0], 0}, {ends[1], 1}};
+    std::array<std::vector<std::size_t>, 2> reached;
+    reached[0] = {ends[0]};
+    reached[1] = {ends[1]};
+    for(std::size_t next = 0; next < (std::min)(reached[0].size(), reached[1].size()); ++next)
+      for(std::size_t k = 0; k < 2; ++k) {
+        const std::size_t v = reached[k][next];
+        for(std::size_t way = first_[v]; way < first_[v + 1]; ++way) {
+          if(removed_[to_[way]] || way == spur.way || way == spur.end)
+            continue;
+          const auto [found, is_new] = side.emplace(to_[way], k);
+          if(is_new)
+            reached[k].push_back(to_[way]);
+          else if(found->second != k)
+            return true;
+        }
+      }
+    return false;
   }
 
   /// Finds the edges whose ends are not connected without them. The ends of a branch stay connected
@@ -296,7 +325,8 @@ private:
   std::vector<std::size_t> edge_;
   std::vector<std::size_t> end_;  ///< From an end of a branch: the way from its other end.
 
-  std::vector<bool> is_bridge_; ///< For each edge; empty: not known.
+  std::vector<bool> is_bridge_; ///< For each edge, before a cycle was opened; empty: not known.
+  bool has_opened_ = false;     ///< A cycle, by removing a branch without tip.
   std::priority_queue<Spur, std::vector<Spur>, std::greater<Spur>> queue_; ///< Least slender first.
 };
 
