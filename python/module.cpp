@@ -159,8 +159,7 @@ void run_with_threads(std::optional<int> threads, const py::object& progress, co
   run_with_progress(progress, run);
 }
 
-/// Calls `visit(rows, map)` with the rows of a `to_point_array()` and the map to points, and returns
-/// what that returns.
+/// Returns `visit(rows, map)` for the rows of a `to_point_array()` and the map to points.
 template <typename Visit>
 auto visit_rows(const py::array& array, const Visit& visit)
 {
@@ -388,15 +387,15 @@ PYBIND11_MODULE(_core, module)
       });
 
   py::class_<Builder>(module, "MixtureBuilder",
-                      R"(The moments of points that are inserted chunk after chunk, for clouds larger
-than memory or than one machine; see the page on large clouds in the manual.
+                      R"(The moments of points that are inserted chunk after chunk: for clouds
+larger than memory or than one machine; see the page on large clouds in the manual.
 
 box: xmin, ymin, zmin, xmax, ymax, zmax; contains all points, best their bounding box.
 maximum_cells: as for skeletonize(). Four times as many cells are stored, of some 350 bytes each.
 
-The result is the same, bit for bit, for any order of the points, any chunks and any merging. It can be
-pickled, so that Dask and multiprocessing send it as it is. Raises ValueError if the box is none. Not to
-be changed by two threads at once.)")
+The result is the same, bit for bit, for any order of the points, any chunks and any merging. It
+can be pickled, so that Dask and multiprocessing send it as it is. Raises ValueError if the box is
+none. Not to be changed by two threads at once.)")
       .def(py::init(&new_builder), "box"_a, py::kw_only(),
            "maximum_cells"_a = Builder::default_maximum_cells)
       .def("insert", &insert, "points"_a, py::kw_only(), "source"_a = py::none(),
@@ -404,8 +403,8 @@ be changed by two threads at once.)")
 
 source: where they come from, for instance the name of a file; so that none is counted twice.
 
-Raises ValueError if the source was inserted before, or a coordinate is not finite or outside of the box;
-the message names the point by its number among all inserted, and those before it stay inserted.)")
+Raises ValueError if the source was inserted before, or a coordinate is not finite or outside of the
+box; the message names the point by its number among all inserted, and those before it stay.)")
       .def("merge", &Builder::merge, "other"_a, py::call_guard<py::gil_scoped_release>(),
            "Adds the points of another builder. O(cells). Raises ValueError if it has another box, "
            "another maximum_cells, or a source of this one.")

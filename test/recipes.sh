@@ -19,16 +19,22 @@ skeletonize_point_set merge tiles/*.moments -o plot.moments --quiet
 skeletonize_point_set plot.moments -o plot.ply --quiet
 check "a loop in a shell" cmp expected.ply plot.ply
 
-# An array of jobs: the body of the job, for each number.
-sed -n '/^    #!\/bin\/sh$/,/^$/s/^    //p' "$here/../doc/scaling.md" > job.sh
+# An array of jobs: the body of the job, for each number, and the job after it.
+script()
+{
+  awk -v n="$1" '/^    #!\/bin\/sh$/ { ++k; is_inside = 1 } /^$/ { is_inside = 0 }
+                 is_inside && k == n { print substr($0, 5) }' "$here/../doc/scaling.md"
+}
+script 1 > job.sh
+script 2 > merge.sh
 check "the job is in the manual" grep -q SLURM_ARRAY_TASK_ID job.sh
 export BOX
 for SLURM_ARRAY_TASK_ID in 4 2 1 3; do
   export SLURM_ARRAY_TASK_ID
   sh job.sh > out
 done
-skeletonize_point_set merge part_*.moments -o plot.moments --quiet
-skeletonize_point_set plot.moments -o plot.ply --quiet
+rm plot.moments plot.ply
+sh merge.sh > out
 check "an array of jobs" cmp expected.ply plot.ply
 
 # Dask, where it is.

@@ -13,10 +13,12 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/refine_curve.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Float_packet.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/nearest_points.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -129,11 +131,35 @@ private:
     return surface_.winding_number(q) >= surface_.options.least_inside - noise_;
   }
 
+  /// In packets of places that are close to each other. Where the result is close, packets in the
+  /// order of the vertices decide, some of them wide: patches inside count one by one.
   std::vector<bool> are_inside(const std::vector<Vector3>& places) const
   {
+    constexpr double error = 0.06; // twice that of groups
+    const double least = surface_.options.least_inside - noise_;
+    const Box_tree tree(places);
+    std::vector<Vector3> in_order, doubtful;
+    for(std::size_t i : tree.order())
+      in_order.push_back(places[i]);
+    std::vector<double> values =
+      tree.by_index(surface_.winding_number.at_places(in_order, concurrency_));
+    std::vector<std::size_t> again; // whole packets
+    for(std::size_t first = 0; first < places.size(); first += packet_size) {
+      const std::size_t end = (std::min)(first + packet_size, places.size());
+      bool is_close = false;
+      for(std::size_t k = first; k < end; ++k)
+        is_close = is_close || std::abs(values[k] - least) < error;
+      for(std::size_t k = first; is_close && k < end; ++k) {
+        again.push_back(k);
+        doubtful.push_back(places[k]);
+      }
+    }
+    const std::vector<double> exact = surface_.winding_number.at_places(doubtful, concurrency_);
+    for(std::size_t k = 0; k < again.size(); ++k)
+      values[again[k]] = exact[k];
     std::vector<bool> result;
-    for(double value : surface_.winding_number.at_places(places, concurrency_))
-      result.push_back(value >= surface_.options.least_inside - noise_);
+    for(double value : values)
+      result.push_back(value >= least);
     return result;
   }
 

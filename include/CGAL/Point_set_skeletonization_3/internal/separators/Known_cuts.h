@@ -19,10 +19,10 @@ namespace internal {
 
 /// Separators that cut the surface in two, and the regions between them.
 ///
-/// A search for a way around another separator need not go beyond a cut: whatever is there, it comes
-/// back through the same cut, if at all. So each region is searched on its own, and where it is cut
-/// the smaller part is visited: O(n log n) for all separators of a tree together, which would take a
-/// search of half of the tree each.
+/// A search for a way around another separator need not go beyond a cut: whatever is there, it
+/// comes back through the same cut, if at all. So each region is searched on its own, and where it
+/// is cut the smaller part is visited: O(n log n) for all separators of a tree together, where each
+/// would take a search of half of the tree.
 class Known_cuts
 {
 public:
@@ -31,8 +31,8 @@ public:
     : graph_(graph), region_(patches, 0), cut_(patches, none), mark_(patches, unseen)
   {}
 
-  /// Whether a separator is known to cut: no way leads from one of its sides to the other. If so, it
-  /// is kept as a cut. Otherwise there may be a way, or not, if cuts that are not connected are
+  /// Whether a separator is known to cut: no way leads from one of its sides to the other. If so,
+  /// it is kept as a cut. Otherwise there may be a way, or not, if cuts that are not connected are
   /// beside it, or if it is across limbs that touch.
   bool add_if_cuts(const Local_separator& separator)
   {
