@@ -6,6 +6,7 @@
 
 #include "write_little_endian.h"
 
+#include "generator/branching_tree.h"
 #include "generator/scanned_families.h"
 #include "generator/scanner.h"
 
@@ -33,6 +34,7 @@ struct Forest_options
   std::size_t trees = 200, points = 2000000, tiles = 16;
   double buffer = 0; // around each tile, in metres
   unsigned int seed = 1;
+  int levels = 0; // of one tree instead
 };
 
 // Far from the origin, as surveys are. A tree has a square of its own.
@@ -134,6 +136,21 @@ void make_forest(const Forest_options& options)
   tiles.finish();
 }
 
+// One shape in one piece, of any number of details.
+void make_branching_tree(const Forest_options& options)
+{
+  constexpr double side = 50;
+  std::filesystem::create_directories(options.folder);
+  const shapes::Known_shape shape = shapes::branching_tree(options.levels, options.seed);
+  const Eigen::AlignedBox3d box = bounding_box(shape);
+  const double scale = side / box.sizes().maxCoeff();
+  Tiles tiles(options, side);
+  shapes::Random random(options.seed);
+  for(std::size_t k = 0; k < options.points; ++k)
+    tiles.write(plot_corner + scale * (shape.solid.random_point(random) - box.min()));
+  tiles.finish();
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -147,9 +164,15 @@ int main(int argc, char** argv)
   app.add_option("--tiles", options.tiles, "number of tiles, a square [16]");
   app.add_option("--buffer", options.buffer, "around each tile, in metres [0]");
   app.add_option("--seed", options.seed, "of the first tree [1]");
+  app.add_option("--levels", options.levels,
+                 "one tree in one piece instead, that forks so many times: 2^N tips")
+      ->check(CLI::Range(1, 14));
   CLI11_PARSE(app, argc, argv);
   try {
-    make_forest(options);
+    if(options.levels > 0)
+      make_branching_tree(options);
+    else
+      make_forest(options);
   } catch(const std::exception& error) {
     std::cerr << "forest: " << error.what() << std::endl;
     return EXIT_FAILURE;

@@ -7,12 +7,16 @@
 #include "run_with_progress.h"
 
 #include <CGAL/Curve_skeleton_3.h>
+#include <CGAL/Gaussian_mixture_builder_3.h>
 #include <CGAL/IO/Curve_skeleton_3.h>
+#include <CGAL/IO/Gaussian_mixture_builder_3.h>
 #include <CGAL/Point_set_skeletonization_3/parameters.h>
 #include <CGAL/Point_set_skeletonization_3/published_parameters.h>
 #include <CGAL/extract_l1_medial_skeleton.h>
 #include <CGAL/extract_published_l1_medial_skeleton.h>
 #include <CGAL/skeleton_branches.h>
+
+#include <CGAL/Bbox_3.h>
 
 #include <boost/range/counting_range.hpp>
 #include <boost/range/iterator_range.hpp>
@@ -23,9 +27,12 @@
 #include <tbb/global_control.h>
 #endif
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,9 +45,16 @@ namespace {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Graph = CGAL::Curve_skeleton_3<Kernel>;
 using Branch = CGAL::Skeleton_branch_of<Graph>;
+using Builder = CGAL::Gaussian_mixture_builder_3<Kernel>;
 using Roots = std::vector<std::size_t>;
 template <typename Number>
 using Array = py::array_t<Number>;
+
+/// The name of a file that is given as str or as os.PathLike.
+std::string name_of(const py::object& filename)
+{
+  return py::str(py::module_::import("os").attr("fspath")(filename));
+}
 
 struct Skeleton
 {
@@ -125,33 +139,47 @@ struct Skeleton
   void save(const py::object& filename, const Roots& roots) const
   {
     check_roots(roots);
-    const std::string name = py::str(py::module_::import("os").attr("fspath")(filename));
+    const std::string name = name_of(filename);
     const py::gil_scoped_release unlock;
     CGAL::IO::write_curve_skeleton(name, graph, roots);
   }
 };
 
-/// Calls `extract(rows, map, skeleton, callback)` with the rows of an array and the map to points.
-template <typename Extract>
-Skeleton extract_from(const py::object& points, std::optional<int> threads,
-                      const py::object& progress, const Extract& extract)
+/// Calls `run(callback)` as `run_with_progress()` does, with so many threads.
+template <typename Run>
+void run_with_threads(std::optional<int> threads, const py::object& progress, const Run& run)
 {
   if(threads && *threads < 1)
     throw py::value_error("threads must be at least 1, not " + std::to_string(*threads));
-  const py::array array = to_point_array(points);
-  const auto size = static_cast<std::size_t>(array.shape(0));
-  const auto rows = boost::counting_range(std::size_t(0), size);
-  Skeleton result;
-  result.points = size;
 #ifdef CGAL_LINKED_WITH_TBB
   std::optional<tbb::global_control> control;
   if(threads)
     control.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(*threads));
 #endif
-  run_with_progress(progress, [&](const std::function<bool(double)>& callback) {
-    return array.itemsize() == sizeof(float)
-               ? extract(rows, Array_points<float>(array), result.graph, callback)
-               : extract(rows, Array_points<double>(array), result.graph, callback);
+  run_with_progress(progress, run);
+}
+
+/// Returns `visit(rows, map)` for the rows of a `to_point_array()` and the map to points.
+template <typename Visit>
+auto visit_rows(const py::array& array, const Visit& visit)
+{
+  const auto rows = boost::counting_range(std::size_t(0), std::size_t(array.shape(0)));
+  return array.itemsize() == sizeof(float) ? visit(rows, Array_points<float>(array))
+                                           : visit(rows, Array_points<double>(array));
+}
+
+/// Calls `extract(rows, map, skeleton, callback)`.
+template <typename Extract>
+Skeleton extract_from(const py::object& points, std::optional<int> threads,
+                      const py::object& progress, const Extract& extract)
+{
+  const py::array array = to_point_array(points);
+  Skeleton result;
+  result.points = static_cast<std::size_t>(array.shape(0));
+  run_with_threads(threads, progress, [&](const std::function<bool(double)>& callback) {
+    return visit_rows(array, [&](const auto& rows, const auto& map) {
+      return extract(rows, map, result.graph, callback);
+    });
   });
   return result;
 }
@@ -169,12 +197,17 @@ void check(const char* name, const std::optional<Number>& value, bool is_in_rang
                           std::string(py::str(py::cast(*value))));
 }
 
+void check_cells(std::size_t maximum_cells)
+{
+  check("maximum_cells", Count(maximum_cells),
+        maximum_cells >= 1000 && maximum_cells <= std::size_t(1) << 26, "in [1000, 2^26]");
+}
+
 Skeleton skeletonize(const py::object& points, bool single_component, bool is_tree,
                      std::size_t maximum_cells, std::optional<int> threads,
                      const py::object& progress)
 {
-  check("maximum_cells", Count(maximum_cells),
-        maximum_cells >= 1000 && maximum_cells <= std::size_t(1) << 26, "in [1000, 2^26]");
+  check_cells(maximum_cells);
   return extract_from(
       points, threads, progress,
       [&](const auto& rows, const auto& map, Graph& graph, const auto& callback) {
@@ -225,6 +258,73 @@ Skeleton skeletonize_as_published(const py::object& points, bool tuned, bool hal
             rows, graph,
             p::tuned(tuned, p::alpha_min(alpha_min, p::b_min(b_min, p::d_max(d_max, projection)))));
       });
+}
+
+using Box = std::array<double, 6>;
+
+Builder new_builder(const Box& box, std::size_t maximum_cells)
+{
+  check_cells(maximum_cells);
+  return Builder(CGAL::Bbox_3(box[0], box[1], box[2], box[3], box[4], box[5]), maximum_cells);
+}
+
+void insert(Builder& builder, const py::object& points, const std::optional<std::string>& source)
+{
+  if(source && builder.sources().count(*source) > 0)
+    throw py::value_error("it has '" + *source + "' already");
+  const py::array array = to_point_array(points);
+  const py::gil_scoped_release unlock;
+  visit_rows(array, [&](const auto& rows, const auto& map) {
+    builder.insert(rows, CGAL::parameters::point_map(map));
+  });
+  if(source)
+    builder.insert_source(*source);
+}
+
+Builder load(const py::object& filename)
+{
+  const std::string name = name_of(filename);
+  const py::gil_scoped_release unlock;
+  Builder result;
+  CGAL::IO::read_moments(name, result);
+  return result;
+}
+
+void save(const Builder& builder, const py::object& filename)
+{
+  const std::string name = name_of(filename);
+  const py::gil_scoped_release unlock;
+  CGAL::IO::write_moments(name, builder);
+}
+
+py::bytes bytes_of(const Builder& builder)
+{
+  std::ostringstream stream;
+  CGAL::IO::write_moments(stream, builder);
+  return stream.str();
+}
+
+Builder builder_of(const py::bytes& bytes)
+{
+  std::istringstream stream{std::string(bytes)};
+  Builder result;
+  CGAL::IO::read_moments(stream, result);
+  return result;
+}
+
+Skeleton skeletonize_builder(const Builder& builder, bool single_component, bool is_tree,
+                             std::optional<int> threads, const py::object& progress)
+{
+  Skeleton result;
+  run_with_threads(threads, progress, [&](const std::function<bool(double)>& callback) {
+    return CGAL::extract_l1_medial_skeleton<CGAL::Parallel_if_available_tag>(
+        builder, result.graph,
+        CGAL::parameters::single_component(
+            single_component,
+            CGAL::parameters::is_tree(
+                is_tree, CGAL::parameters::geom_traits(Kernel()).callback(callback))));
+  });
+  return result;
 }
 
 } // namespace
@@ -284,6 +384,52 @@ PYBIND11_MODULE(_core, module)
       .def("__repr__", [](const Skeleton& s) {
         return "<Skeleton of " + std::to_string(num_vertices(s.graph)) + " vertices and " +
                std::to_string(num_edges(s.graph)) + " edges>";
+      });
+
+  py::class_<Builder>(module, "MixtureBuilder",
+                      R"(The moments of points that are inserted chunk after chunk: for clouds
+larger than memory or than one machine; see the page on large clouds in the manual.
+
+box: xmin, ymin, zmin, xmax, ymax, zmax; contains all points, best their bounding box.
+maximum_cells: as for skeletonize(). Four times as many cells are stored, of some 350 bytes each.
+
+The result is the same, bit for bit, for any order of the points, any chunks and any merging. It
+can be pickled, so that Dask and multiprocessing send it as it is. Raises ValueError if the box is
+none. Not to be changed by two threads at once.)")
+      .def(py::init(&new_builder), "box"_a, py::kw_only(),
+           "maximum_cells"_a = Builder::default_maximum_cells)
+      .def("insert", &insert, "points"_a, py::kw_only(), "source"_a = py::none(),
+           R"(Adds points: an array as for skeletonize(). O(n).
+
+source: where they come from, for instance the name of a file; so that none is counted twice.
+
+Raises ValueError if the source was inserted before, or a coordinate is not finite or outside of the
+box; the message names the point by its number among all inserted, and those before it stay.)")
+      .def("merge", &Builder::merge, "other"_a, py::call_guard<py::gil_scoped_release>(),
+           "Adds the points of another builder. O(cells). Raises ValueError if it has another box, "
+           "another maximum_cells, or a source of this one.")
+      .def("save", &save, "filename"_a,
+           "Writes a file of moments, complete or not at all: .moments, as the program reads and "
+           "writes. Raises RuntimeError if that fails.")
+      .def_static("load", &load, "filename"_a,
+                  "Reads a file of moments. Raises RuntimeError that says what is wrong with it.")
+      .def("skeletonize", &skeletonize_builder, py::kw_only(), "single_component"_a = false,
+           "is_tree"_a = false, "threads"_a = py::none(), "progress"_a = py::none(),
+           "Extracts the curve skeleton; parameters as for skeletonize(). Its point_map is empty.")
+      .def_property_readonly(
+          "box",
+          [](const Builder& b) {
+            return Box{{b.box().xmin(), b.box().ymin(), b.box().zmin(), b.box().xmax(),
+                        b.box().ymax(), b.box().zmax()}};
+          },
+          "xmin, ymin, zmin, xmax, ymax, zmax")
+      .def_property_readonly("sources", &Builder::sources, "the sources inserted")
+      .def_property_readonly("number_of_points", &Builder::number_of_points, "points inserted")
+      .def_property_readonly("number_of_cells", &Builder::number_of_cells, "cells stored")
+      .def(py::pickle(&bytes_of, &builder_of))
+      .def("__repr__", [](const Builder& b) {
+        return "<MixtureBuilder of " + std::to_string(b.number_of_points()) + " points in " +
+               std::to_string(b.number_of_cells()) + " cells>";
       });
 
   module.def("skeletonize", &skeletonize, "points"_a, py::kw_only(), "single_component"_a = false,

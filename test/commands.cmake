@@ -13,6 +13,7 @@ if(TARGET skeletonize_point_set)
                                   $<TARGET_FILE:skeletonize_point_set>)
   endforeach()
   set_tests_properties(program_signals PROPERTIES RUN_SERIAL ON) # it measures time
+  set_tests_properties(recipes PROPERTIES ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/python")
 endif()
 if(TARGET skeletonize_point_set_mpi)
   add_test(NAME program_mpi

@@ -7,6 +7,13 @@
     skeleton.save("skeleton.vtp")
 """
 
-from ._core import Branch, Skeleton, __version__, skeletonize, skeletonize_as_published
+from ._core import (
+    Branch,
+    MixtureBuilder,
+    Skeleton,
+    __version__,
+    skeletonize,
+    skeletonize_as_published,
+)
 
-__all__ = ["Branch", "Skeleton", "skeletonize", "skeletonize_as_published"]
+__all__ = ["Branch", "MixtureBuilder", "Skeleton", "skeletonize", "skeletonize_as_published"]

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 import os
-from typing import Any, Callable, List, Optional, Sequence, Union
+from typing import Any, Callable, List, Optional, Sequence, Set, Union
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
@@ -37,6 +37,30 @@ class Skeleton:
     def save(
         self, filename: Union[str, "os.PathLike[str]"], roots: Sequence[int] = ...
     ) -> None: ...
+
+class MixtureBuilder:
+    def __init__(self, box: Sequence[float], *, maximum_cells: int = ...) -> None: ...
+    @property
+    def box(self) -> List[float]: ...
+    @property
+    def sources(self) -> Set[str]: ...
+    @property
+    def number_of_points(self) -> int: ...
+    @property
+    def number_of_cells(self) -> int: ...
+    def insert(self, points: ArrayLike, *, source: Optional[str] = ...) -> None: ...
+    def merge(self, other: "MixtureBuilder") -> None: ...
+    def save(self, filename: Union[str, "os.PathLike[str]"]) -> None: ...
+    @staticmethod
+    def load(filename: Union[str, "os.PathLike[str]"]) -> "MixtureBuilder": ...
+    def skeletonize(
+        self,
+        *,
+        single_component: bool = ...,
+        is_tree: bool = ...,
+        threads: Optional[int] = ...,
+        progress: Optional[Callable[[float], Optional[bool]]] = ...,
+    ) -> Skeleton: ...
 
 def skeletonize(
     points: ArrayLike,

@@ -7,6 +7,7 @@ PYTHONPATH=build/python check_module.py"""
 import inspect
 import os
 import pathlib
+import pickle
 import signal
 import tempfile
 import threading
@@ -17,7 +18,8 @@ import networkx
 import numpy
 
 import point_set_skeletonization
-from point_set_skeletonization import Skeleton, skeletonize, skeletonize_as_published
+from point_set_skeletonization import (MixtureBuilder, Skeleton, skeletonize,
+                                       skeletonize_as_published)
 
 
 def cross(size):
@@ -78,6 +80,54 @@ class ModuleTest(unittest.TestCase):
 
     def test_threads_do_not_matter(self):
         self.assert_same(skeletonize(self.points, threads=1), self.skeleton)
+
+    def builder_of(self, points, source=None):
+        builder = MixtureBuilder([*self.points.min(0), *self.points.max(0)])
+        builder.insert(points, source=source)
+        return builder
+
+    def test_moments_add_up(self):
+        whole = self.builder_of(self.points)
+        self.assertEqual(whole.number_of_points, len(self.points))
+        self.assertGreater(whole.number_of_cells, 100)
+        a, b = self.builder_of(self.points[::-3], "a"), self.builder_of(self.points[:0], "b")
+        b.insert(numpy.asfortranarray(self.points[::-1][1::3]))
+        b.insert(self.points[::-1][2::3].tolist())
+        a.merge(pickle.loads(pickle.dumps(b)))
+        self.assertEqual((a.sources, b.sources), ({"a", "b"}, {"b"}))
+        with tempfile.TemporaryDirectory() as folder:
+            a.save(pathlib.Path(folder) / "a.moments")
+            a = MixtureBuilder.load(pathlib.Path(folder) / "a.moments")
+        self.assertEqual((a.sources, a.box), ({"a", "b"}, whole.box))
+        s, t = whole.skeletonize(), a.skeletonize(threads=1)
+        self.assert_same(s, t)
+        numpy.testing.assert_array_equal(s.vertices, self.skeleton.vertices)
+        self.assertEqual(s.point_map.shape, (0,))
+        self.assertEqual(len(whole.skeletonize(is_tree=True).edges), len(s.edges))
+        with self.assertRaisesRegex(RuntimeError, "cancelled"):
+            whole.skeletonize(progress=lambda share: False)
+
+    def test_wrong_moments(self):
+        a = self.builder_of(self.points[:10], "a")
+        with self.assertRaisesRegex(ValueError, "'a' already"):
+            a.insert(self.points, source="a")
+        with self.assertRaisesRegex(ValueError, "point 12 is outside the given box"):
+            a.insert([self.points[0], self.points[1], [0, 0, 99]])
+        self.assertEqual(a.number_of_points, 12)
+        with self.assertRaisesRegex(ValueError, "'a' as well"):
+            a.merge(self.builder_of([self.points[0]], "a"))
+        with self.assertRaisesRegex(ValueError, "another box"):
+            a.merge(MixtureBuilder([0, 0, 0, 1, 1, 1]))
+        with self.assertRaisesRegex(ValueError, "another bound"):
+            a.merge(MixtureBuilder(a.box, maximum_cells=2000))
+        with self.assertRaisesRegex(ValueError, "no box"):
+            MixtureBuilder([1, 1, 1, 0, 0, 0])
+        with self.assertRaisesRegex(ValueError, "maximum_cells must be in"):
+            MixtureBuilder(a.box, maximum_cells=10)
+        with self.assertRaisesRegex(RuntimeError, "there is no such file"):
+            MixtureBuilder.load("no such.moments")
+        with self.assertRaisesRegex(RuntimeError, "nowhere"):
+            a.save("nowhere/a.moments")
 
     def test_no_points(self):
         s = skeletonize(numpy.zeros((0, 3)))
@@ -184,14 +234,16 @@ class ModuleTest(unittest.TestCase):
             skeletonize_as_published(self.points, mu=0.7)
 
     def test_everything_is_documented(self):
-        for thing in skeletonize, skeletonize_as_published, Skeleton:
+        for thing in skeletonize, skeletonize_as_published:
             self.assertTrue(inspect.getdoc(thing))
-        for name in dir(Skeleton):
-            if not name.startswith("_"):
-                self.assertTrue(inspect.getdoc(getattr(Skeleton, name)), name)
+        for thing in Skeleton, MixtureBuilder:
+            self.assertTrue(inspect.getdoc(thing))
+            for name in dir(thing):
+                if not name.startswith("_"):
+                    self.assertTrue(inspect.getdoc(getattr(thing, name)), name)
         folder = pathlib.Path(point_set_skeletonization.__file__).parent
         stubs = (folder / "__init__.pyi").read_text(encoding="utf-8")
-        for name in dir(Skeleton) + point_set_skeletonization.__all__:
+        for name in dir(Skeleton) + dir(MixtureBuilder) + point_set_skeletonization.__all__:
             if not name.startswith("_"):
                 self.assertIn(name, stubs)
 

@@ -152,10 +152,17 @@ private:
     return surface_.winding_number(q) >= surface_.options.least_inside - noise_;
   }
 
+  /// The same, in packets of places that are close to each other.
   std::vector<bool> are_inside(const std::vector<Vector3>& places) const
   {
+    const Box_tree tree(places);
+    std::vector<Vector3> in_order;
+    for(std::size_t i : tree.order())
+      in_order.push_back(places[i]);
+    const std::vector<double> values =
+      tree.by_index(surface_.winding_number.at_places(in_order, concurrency_));
     std::vector<bool> result;
-    for(double value : surface_.winding_number.at_places(places, concurrency_))
+    for(double value : values)
       result.push_back(value >= surface_.options.least_inside - noise_);
     return result;
   }

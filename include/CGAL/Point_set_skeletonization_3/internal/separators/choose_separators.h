@@ -5,12 +5,15 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_CHOOSE_SEPARATORS_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Per_thread.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Closed_curve.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Known_cuts.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Local_separator.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Path_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Separator_options.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Waiting_candidates.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
@@ -18,6 +21,8 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <set>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -39,7 +44,8 @@ public:
     : options_(options), candidates_(std::move(candidates)), surface_(surface), samples_(samples),
       concurrency_(concurrency),
       search_(concurrency, [&] { return Path_search(surface.patches, limbs); }),
-      paths_(candidates_.size()), is_taken_(surface.patches.size(), false)
+      cuts_(limbs, surface.patches.size()),
+      waiting_(candidates_, surface.patches.size()), paths_(candidates_.size())
   {}
 
   /// Returns the chosen separators; candidates are tested in their order. To be called once.
@@ -47,22 +53,17 @@ public:
   {
     std::vector<Local_separator> result;
     for(std::size_t s = 0; s < candidates_.size(); ++s) {
-      if(touches(candidates_[s], is_taken_))
+      if(!waiting_.waits(s))
         continue;
       if(!paths_[s])
-        find_paths(s);
-      // A contractible closed path has intersection number 0 with each cross-section of a limb.
-      if(crosses_contractible_loop(candidates_[s]))
+        find_paths();
+      const bool cuts = cuts_limb(candidates_[s], *paths_[s]);
+      remove(s);
+      if(!cuts)
         continue;
-      if(has_contractible_path(*paths_[s])) {
-        contractible_loops_.push_back(
-          search_.local().closed(paths_[s]->patches, candidates_[s]));
-        continue;
-      }
-      if(!paths_[s]->patches.empty() &&
-         (paths_[s]->curve == none || !search_.local().is_crossed(candidates_[s])))
-        continue;
-      mark(candidates_[s], is_taken_);
+      for(std::size_t i : candidates_[s].patches)
+        for(std::size_t other : waiting_.on_patch(i))
+          remove(other);
       result.push_back(std::move(candidates_[s]));
     }
     return result;
@@ -86,24 +87,45 @@ private:
     bool is_contractible;
   };
 
-  static bool touches(const Local_separator& separator, const std::vector<bool>& is_marked)
+  void remove(std::size_t s)
   {
-    return std::any_of(separator.patches.begin(), separator.patches.end(),
-                       [&](std::size_t i) { return is_marked[i]; });
+    waiting_.remove(s, candidates_[s]);
+    paths_[s].reset();
   }
 
-  static void mark(const Local_separator& separator, std::vector<bool>& is_marked)
+  /// Whether a candidate cuts a limb, for the path around it. Keeps a contractible one.
+  bool cuts_limb(const Local_separator& candidate, const Path& path)
   {
-    for(std::size_t i : separator.patches)
-      is_marked[i] = true;
+    // A contractible closed path has intersection number 0 with each cross-section of a limb.
+    if(crosses_contractible_loop(candidate))
+      return false;
+    if(has_contractible_path(path)) {
+      add_contractible_loop(search_.local().closed(path.patches, candidate));
+      return false;
+    }
+    return path.patches.empty() ||
+           (path.curve != none && search_.local().is_crossed(candidate));
   }
 
-  bool crosses_contractible_loop(const Local_separator& separator)
+  void add_contractible_loop(Path_search::Path loop)
   {
-    return std::any_of(contractible_loops_.begin(), contractible_loops_.end(),
-                       [&](const Path_search::Path& loop) {
-                         return search_.local().algebraic_intersection_number(loop, separator) != 0;
-                       });
+    for(std::size_t i : loop)
+      loops_through_[i].push_back(contractible_loops_.size());
+    contractible_loops_.push_back(std::move(loop));
+  }
+
+  /// Only those that visit its first side cross a candidate.
+  bool crosses_contractible_loop(const Local_separator& candidate)
+  {
+    std::set<std::size_t> loops;
+    for(std::size_t i : candidate.sides[0]) {
+      const auto found = loops_through_.find(i);
+      if(found != loops_through_.end())
+        loops.insert(found->second.begin(), found->second.end());
+    }
+    return std::any_of(loops.begin(), loops.end(), [&](std::size_t k) {
+      return search_.local().algebraic_intersection_number(contractible_loops_[k], candidate) != 0;
+    });
   }
 
   bool has_contractible_path(const Path& path) const
@@ -111,23 +133,20 @@ private:
     return path.curve != none && curves_[path.curve].is_contractible;
   }
 
-  /// Finds the path around a candidate, and around later ones whose paths are needed whatever is
-  /// chosen before: they share no patch with a chosen separator or an earlier candidate. So all
-  /// threads have work.
-  void find_paths(std::size_t first)
+  /// Finds the paths that are needed whatever is chosen before: those around candidates that come
+  /// first on all of their patches. So all threads have work.
+  void find_paths()
   {
-    std::vector<bool> is_before = is_taken_;
-    std::vector<std::size_t> wanted;
-    for(std::size_t s = first; s < candidates_.size(); ++s) {
-      if(touches(candidates_[s], is_taken_))
-        continue;
-      if(!paths_[s] && !touches(candidates_[s], is_before))
-        wanted.push_back(s);
-      mark(candidates_[s], is_before);
+    const std::vector<std::size_t> wanted = waiting_.take_first();
+    std::vector<std::size_t> doubtful;
+    for(std::size_t s : wanted) {
+      Progress::poll();
+      paths_[s].emplace();
+      if(!cuts_.add_if_cuts(candidates_[s]))
+        doubtful.push_back(s);
     }
-    parallel_for(concurrency_, wanted.size(), [&](std::size_t k) {
-      paths_[wanted[k]].emplace();
-      paths_[wanted[k]]->patches = search_.local().around(candidates_[wanted[k]]);
+    parallel_for(concurrency_, doubtful.size(), [&](std::size_t k) {
+      paths_[doubtful[k]]->patches = search_.local().around(candidates_[doubtful[k]]);
     });
     const std::size_t known = curves_.size();
     for(std::size_t s : wanted)
@@ -169,10 +188,12 @@ private:
   Per_thread<Path_search> search_;
 
   // Found so far.
-  std::vector<std::optional<Path>> paths_; ///< Around each candidate.
+  Known_cuts cuts_;
+  Waiting_candidates waiting_;             ///< They share no patch with a chosen separator.
+  std::vector<std::optional<Path>> paths_; ///< Around candidates that wait.
   std::vector<Known_curve> curves_;
   std::vector<Path_search::Path> contractible_loops_; ///< Closed paths.
-  std::vector<bool> is_taken_;                        ///< Patches of chosen separators.
+  std::unordered_map<std::size_t, std::vector<std::size_t>> loops_through_; ///< Each patch.
 };
 
 /// Returns the candidates that cut a limb and share no patch with one chosen before. `limbs` is the

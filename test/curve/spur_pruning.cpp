@@ -1,0 +1,176 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What is pruned, on random graphs: the same as if all branches were measured anew for each that is
+// removed.
+
+#include "catch2.h"
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Spur_pruning.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/branches.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <set>
+#include <vector>
+
+using namespace CGAL::Point_set_skeletonization_3::internal;
+
+namespace {
+
+using Points = std::vector<std::vector<Vector3>>;
+
+/// A graph without parallel edges whose branches are short, and points around its vertices.
+struct Random_graph
+{
+  explicit Random_graph(unsigned int seed)
+  {
+    std::mt19937 random(seed);
+    const auto below = [&](std::size_t end) {
+      return std::uniform_int_distribution<std::size_t>(0, end - 1)(random);
+    };
+    std::normal_distribution<double> normal;
+    const auto vector = [&] { return Vector3(normal(random), normal(random), normal(random)); };
+    constexpr std::size_t size = 60;
+    std::set<Skeleton_graph::Edge> edges;
+    const auto add = [&](std::size_t v, std::size_t w) {
+      if(v != w && edges.insert(std::minmax(v, w)).second)
+        graph.edges.emplace_back(v, w);
+    };
+    for(std::size_t v = 0; v < size; ++v) {
+      graph.vertices.push_back({vector(), 1, 0.1, below(2) == 0});
+      points.emplace_back();
+      for(std::size_t k = below(5); k > 0; --k)
+        points.back().push_back(graph.vertices[v].position + vector());
+      if(v > 0 && below(20) != 0) // chains and forks of a few parts
+        add(below(3) == 0 ? below(v) : v - 1, v);
+    }
+    for(std::size_t k = below(12); k > 0; --k)
+      add(below(size), below(size));
+    std::shuffle(graph.edges.begin(), graph.edges.end(), random);
+  }
+
+  Skeleton_graph graph;
+  Points points;
+};
+
+std::vector<double> distances(const Random_graph& input, const Branch& branch, std::size_t k,
+                              std::size_t end)
+{
+  std::vector<double> result;
+  for(std::size_t l = k; l < end; ++l)
+    for(const Vector3& p : input.points[branch[l]])
+      result.push_back((p - input.graph.vertices[branch[k]].position).norm());
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+double slenderness(const Random_graph& input, const Branch& branch)
+{
+  double result = 0;
+  for(std::size_t k = 1; k < branch.size(); ++k) {
+    if(!input.graph.vertices[branch[k]].is_cross_section || input.points[branch[k]].empty())
+      continue;
+    const std::vector<double> length = distances(input, branch, k, branch.size());
+    const std::size_t last = length.size() - 1;
+    const std::size_t furthest = std::min(last, std::max<std::size_t>(2, last / 20));
+    result = std::max(result, length[last - furthest] / distances(input, branch, k, k + 1).back());
+  }
+  return result;
+}
+
+/// The graph without the vertices that were removed, and the inside of a branch.
+std::size_t number_of_components(const Skeleton_graph& graph, const Branch& without = {})
+{
+  Union_find sets(graph.vertices.size());
+  std::size_t result = graph.vertices.size();
+  for(const Skeleton_graph::Edge& e : graph.edges) {
+    const auto is_inside = [&](std::size_t v) {
+      return !without.empty() &&
+             std::find(without.begin() + 1, without.end() - 1, v) != without.end() - 1;
+    };
+    if(!is_inside(e.first) && !is_inside(e.second))
+      result -= sets.join(e.first, e.second) ? 1 : 0;
+  }
+  return result;
+}
+
+std::vector<bool> spurs_one_by_one(const Random_graph& input, const Curve_options& options)
+{
+  std::vector<bool> removed(input.graph.vertices.size(), false);
+  for(;;) {
+    Skeleton_graph rest = input.graph;
+    rest.edges.clear();
+    for(const Skeleton_graph::Edge& e : input.graph.edges)
+      if(!removed[e.first] && !removed[e.second])
+        rest.edges.push_back(e);
+    const auto adjacency = rest.adjacency();
+    double least = options.slenderness;
+    Branch spur;
+    for(Branch branch : branches(rest)) {
+      if(adjacency[branch.front()].size() == 1)
+        std::reverse(branch.begin(), branch.end());
+      if(adjacency[branch.front()].size() < 3)
+        continue;
+      const bool has_tip = adjacency[branch.back()].size() == 1;
+      std::size_t points = 0;
+      for(std::size_t k = 1; k + (has_tip ? 0 : 1) < branch.size(); ++k)
+        points += input.points[branch[k]].size();
+      const bool is_thin = static_cast<double>(points) < options.least_points;
+      // Without the inside of a bridge, that is isolated and the rest in one part more.
+      const std::size_t inside = branch.size() - 2;
+      if(!has_tip &&
+         (!is_thin || inside == 0 ||
+          number_of_components(rest, branch) != number_of_components(rest) + inside))
+        continue;
+      const double s = is_thin ? 0 : slenderness(input, branch);
+      if(s < least) {
+        least = s;
+        spur = branch;
+      }
+    }
+    if(spur.empty())
+      return removed;
+    for(std::size_t k = 1; k < spur.size(); ++k)
+      removed[spur[k]] = adjacency[spur[k]].size() < 3;
+  }
+}
+
+} // namespace
+
+TEST_CASE("The same branches are pruned as one by one, the least slender of all first")
+{
+  std::size_t removed = 0, kept = 0, opened = 0;
+  for(unsigned int seed = 1; seed <= 300; ++seed) {
+    CAPTURE(seed);
+    const Random_graph input(seed);
+    Curve_options options;
+    options.least_points = seed % 2 == 0 ? 6 : 12;
+    const std::vector<bool> expected = spurs_one_by_one(input, options);
+    const std::vector<bool> spurs = Spur_pruning(input.graph, input.points, options).spurs();
+    REQUIRE(spurs == expected);
+    const auto number = static_cast<std::size_t>(std::count(spurs.begin(), spurs.end(), true));
+    removed += number;
+    kept += spurs.size() - number;
+    // Junctions of both ends stay where a cycle is opened.
+    for(const Branch& branch : branches(input.graph))
+      opened += branch.size() > 2 && spurs[branch[1]] && !spurs[branch.front()] &&
+                !spurs[branch.back()];
+  }
+  CHECK(removed > 0);
+  CHECK(kept > 0);
+  CHECK(opened > 0);
+}
+
+TEST_CASE("A graph without edges has no spurs")
+{
+  Skeleton_graph graph;
+  graph.vertices.resize(3);
+  CHECK(Spur_pruning(graph, Points(3), Curve_options()).spurs() == std::vector<bool>(3, false));
+  CHECK(Spur_pruning(Skeleton_graph(), Points(), Curve_options()).spurs().empty());
+}
