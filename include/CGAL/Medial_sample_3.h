@@ -7,6 +7,7 @@
 #include <CGAL/license/Point_set_skeletonization_3.h>
 
 #include <CGAL/Gaussian_mixture_3.h>
+#include <CGAL/Point_set_skeletonization_3/Medial_sample_kind.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Origin.h>
@@ -31,6 +32,9 @@ struct Medial_sample_3
 
   /// Distance to the nearest patch visible from inside, in the unit of the input; 0 if none is.
   typename GeomTraits::FT radius = 0;
+
+  /// What the sample is in the middle of. For information: linking goes by positions.
+  Medial_sample_kind kind = Medial_sample_kind::solid;
 };
 
 /// \ingroup PkgPointSetSkeletonization3Ref

@@ -6,6 +6,7 @@
 #include "analytic_surfaces.h"
 
 #include "catch2.h"
+#include "generator/Random.h"
 #include "graph_counts.h"
 #include "shapes.h"
 #include "skeleton_checks.h"
@@ -95,6 +96,15 @@ std::size_t number_of_indices(const Skeleton& skeleton)
   return result;
 }
 
+/// Share of the samples of a kind.
+double share_of(CGAL::Medial_sample_kind kind, const Samples& samples)
+{
+  const auto is_of_kind = [&](const auto& sample) { return sample.kind == kind; };
+  return static_cast<double>(std::count_if(samples.samples.begin(), samples.samples.end(),
+                                           is_of_kind)) /
+         static_cast<double>(samples.samples.size());
+}
+
 } // namespace
 
 TEST_CASE("A mixture has the mass, mean and level sizes of its points")
@@ -119,6 +129,25 @@ TEST_CASE("A mixture has the mass, mean and level sizes of its points")
   }
   CHECK(CGAL::fit_gaussian_mixture(Points()).levels.empty());
   CHECK(CGAL::fit_gaussian_mixture(points, parameters::callback(cancel)).levels.empty());
+}
+
+TEST_CASE("A sample says what it is in the middle of")
+{
+  using Kind = CGAL::Medial_sample_kind;
+  const unsigned int seed = GENERATE(1u, 2u, 3u);
+  CAPTURE(seed);
+  shapes::Random random(seed);
+  Points line, sheet, scattered;
+  for(int k = 0; k < 4000; ++k) {
+    line.emplace_back(random.uniform(), 0, 0);
+    sheet.emplace_back(random.uniform(), random.uniform(), 0);
+    const double x = random.uniform(), y = random.uniform();
+    scattered.emplace_back(x, y, random.uniform());
+  }
+  CHECK(share_of(Kind::solid, samples_of(cloud())) > 0.9);
+  CHECK(share_of(Kind::line, samples_of(line)) > 0.9);
+  CHECK(share_of(Kind::sheet, samples_of(sheet)) > 0.9);
+  CHECK(share_of(Kind::scatter, samples_of(scattered)) > 0.5); // the border is a sheet
 }
 
 TEST_CASE("Samples are inside of where their patches are, and those of a tube on its axis")

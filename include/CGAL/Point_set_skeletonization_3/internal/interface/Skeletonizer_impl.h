@@ -9,6 +9,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/interface/Skeletonizer.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/fill_indices.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/plain_conversion.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/sample_kinds.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Grid_mixture.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Moment_grid.h>
 #include <CGAL/Point_set_skeletonization_3/internal/pipeline/Options.h>
@@ -301,10 +302,11 @@ Plain_samples Skeletonizer::samples() const
     return result;
   const Medial_surface& medial = *state_->medial;
   const Normalization& normalization = state_->normalization;
+  const std::vector<Medial_sample_kind> kinds = sample_kinds(medial.surface, medial.samples);
   for(std::size_t i = 0; i < medial.samples.size(); ++i)
     result.samples.push_back({to_plain(medial.surface.gaussians[i], normalization),
                               to_plain(medial.samples[i].position, normalization),
-                              medial.samples[i].radius * normalization.diagonal()});
+                              medial.samples[i].radius * normalization.diagonal(), kinds[i]});
   result.noise = medial.consolidated.noise;
   result.box = plain_box(normalization);
   for(std::size_t i = 0; i < state_->mixture.front().size(); ++i) {

@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_PLAIN_DATA_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_PLAIN_DATA_H
 
+#include <CGAL/Point_set_skeletonization_3/Medial_sample_kind.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Cell_numbers.h>
 
 #include <array>
@@ -47,6 +48,7 @@ struct Plain_sample
   Plain_gaussian patch;
   Plain_point point{};
   double radius = 0;
+  Medial_sample_kind kind = Medial_sample_kind::solid;
 };
 
 struct Plain_surface_point

@@ -115,7 +115,7 @@ Medial_samples_3<GeomTraits> to_public(const Plain_samples& samples, const GeomT
   Medial_samples_3<GeomTraits> result;
   for(const Plain_sample& s : samples.samples)
     result.samples.push_back(
-      {to_public(s.patch, traits), to_public(s.point, traits), static_cast<FT>(s.radius)});
+      {to_public(s.patch, traits), to_public(s.point, traits), static_cast<FT>(s.radius), s.kind});
   result.noise = static_cast<FT>(samples.noise);
   result.bbox = to_public(samples.box);
   for(const Plain_surface_point& p : samples.surface)
@@ -144,7 +144,7 @@ Plain_samples to_plain(const Medial_samples_3<GeomTraits>& samples)
 {
   Plain_samples result;
   for(const auto& s : samples.samples)
-    result.samples.push_back({to_plain(s.patch), to_plain(s.point), CGAL::to_double(s.radius)});
+    result.samples.push_back({to_plain(s.patch), to_plain(s.point), CGAL::to_double(s.radius), s.kind});
   result.noise = CGAL::to_double(samples.noise);
   result.box = to_plain(samples.bbox);
   for(const auto& p : samples.surface)
