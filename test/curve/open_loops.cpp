@@ -40,6 +40,13 @@ Skeleton_graph polygon(std::size_t size, double evidence)
   return graph;
 }
 
+/// Opens loops with less mean evidence than this.
+Skeleton_graph opened_below(const Skeleton_graph& graph, double least)
+{
+  return with_loops_opened(
+    graph, [=](const Curve_evidence& loop) { return loop.evidence() >= least; });
+}
+
 bool has_edge(const Skeleton_graph& graph, std::size_t v, std::size_t w)
 {
   return std::count(graph.edges.begin(), graph.edges.end(), Skeleton_graph::Edge(v, w)) +
@@ -110,7 +117,7 @@ TEST_CASE("A loop is opened where its evidence is least")
 {
   Skeleton_graph graph = polygon(10, 0.4);
   graph.vertices[6].evidence = 0.1;
-  const Skeleton_graph opened = with_loops_opened(graph, 0.5);
+  const Skeleton_graph opened = opened_below(graph, 0.5);
   CHECK(opened.edges.size() == 9);
   CHECK(has_edge(opened, 5, 6) != has_edge(opened, 6, 7));
 }
@@ -119,8 +126,8 @@ TEST_CASE("A loop with enough evidence stays, though one place has none; a tree 
 {
   Skeleton_graph graph = polygon(10, 0.9);
   graph.vertices[6].evidence = 0;
-  CHECK(with_loops_opened(graph, 0.5).edges.size() == 10);
-  CHECK(with_loops_opened(graph, infinity).edges.size() == 9);
+  CHECK(opened_below(graph, 0.5).edges.size() == 10);
+  CHECK(opened_below(graph, infinity).edges.size() == 9);
 }
 
 TEST_CASE("Of two loops with a common side each is judged alone, and all stays connected")
@@ -132,7 +139,7 @@ TEST_CASE("Of two loops with a common side each is judged alone, and all stays c
   graph.edges.emplace_back(10, 5);
   for(std::size_t v = 1; v < 5; ++v)
     graph.vertices[v].evidence = 0.1;
-  const Skeleton_graph opened = with_loops_opened(graph, 0.8);
+  const Skeleton_graph opened = opened_below(graph, 0.8);
   CHECK(opened.edges.size() == graph.edges.size() - 1);
   for(std::size_t v = 5; v < 10; ++v)
     CHECK(has_edge(opened, v, (v + 1) % 10));

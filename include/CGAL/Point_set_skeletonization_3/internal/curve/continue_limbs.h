@@ -39,8 +39,8 @@ public:
       }
   }
 
-  /// Adds the bridges, at most one from each tip: first those between two tips, which tell more, and
-  /// the shorter first.
+  /// Adds the bridges, at most one from each tip: first those between two tips, which tell more,
+  /// and the shorter first.
   void run()
   {
     std::vector<Bridge> bridges = candidates();

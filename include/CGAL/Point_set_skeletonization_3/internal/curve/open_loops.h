@@ -5,6 +5,7 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_OPEN_LOOPS_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_evidence.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 
 #include <algorithm>
@@ -41,35 +42,28 @@ public:
   /// The edges that close the loops, those of most evidence first.
   const std::vector<Skeleton_graph::Edge>& closing_edges() const { return closing_; }
 
-  /// Mean evidence along the loop that `edge` closes, by length; in [0, 1]. O(length of the loop).
+  /// How well the loop that `edge` closes was seen. O(length of the loop).
   /// \pre it is one of `closing_edges()`
-  double mean_evidence(const Skeleton_graph::Edge& edge) const
+  Curve_evidence loop(const Skeleton_graph::Edge& edge) const
   {
-    double length = 0, sum = 0;
-    const auto add = [&](std::size_t v, std::size_t w) {
-      const double step = (graph_.vertices[v].position - graph_.vertices[w].position).norm();
-      length += step;
-      sum += step * (evidence(v) + evidence(w)) / 2;
-    };
+    Curve_evidence result;
     auto [v, w] = edge;
-    add(v, w);
+    result.add(graph_.vertices[v], graph_.vertices[w]);
     while(v != w) {
       if(depth_[v] < depth_[w])
         std::swap(v, w);
-      add(v, parent_[v]);
+      result.add(graph_.vertices[v], graph_.vertices[parent_[v]]);
       v = parent_[v];
     }
-    return length > 0 ? sum / length : 0;
+    return result;
   }
 
 private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  double evidence(std::size_t v) const { return graph_.vertices[v].evidence; }
-
   double weaker_end(const Skeleton_graph::Edge& e) const
   {
-    return (std::min)(evidence(e.first), evidence(e.second));
+    return (std::min)(graph_.vertices[e.first].evidence, graph_.vertices[e.second].evidence);
   }
 
   /// Roots each tree of the forest, by breadth-first search.
@@ -96,14 +90,15 @@ private:
   std::vector<std::size_t> parent_, depth_; ///< In the forest.
 };
 
-/// Part 3c: returns the graph with loops opened where their evidence is least, unless their mean
-/// evidence is at least `least`. O(n log n + loops times their length).
-inline Skeleton_graph with_loops_opened(Skeleton_graph graph, double least)
+/// Part 3c: returns the graph with loops opened where their evidence is least, unless
+/// `is_kept(loop)` for the `Curve_evidence` along them. O(n log n + loops times their length).
+template <typename IsKept>
+Skeleton_graph with_loops_opened(Skeleton_graph graph, const IsKept& is_kept)
 {
   const Weakest_loops loops(graph);
   std::vector<Skeleton_graph::Edge> opened;
   for(const Skeleton_graph::Edge& edge : loops.closing_edges())
-    if(loops.mean_evidence(edge) < least)
+    if(!is_kept(loops.loop(edge)))
       opened.push_back(edge);
   std::sort(opened.begin(), opened.end());
   const auto is_opened = [&](const Skeleton_graph::Edge& edge) {

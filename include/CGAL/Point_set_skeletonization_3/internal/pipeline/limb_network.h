@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_evidence.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/count_tips_and_loops.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/limb_evidence.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/open_loops.h>
@@ -18,7 +19,6 @@
 #include <CGAL/Point_set_skeletonization_3/internal/separators/local_separators.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -33,13 +33,28 @@ struct Limb_network
   Pruned_quotient pruned;
 };
 
+/// How to read limbs that are not resolved (twigs of a few points across, limbs as thin as the
+/// noise, open strips), where nothing local tells the joint of two limbs from two that touch.
+enum class Limb_reading
+{
+  frame,      ///< Adjacent patches without medial balls are in one limb: contacts close loops.
+  tree,       ///< They are joined where nothing else joins them: only resolved limbs close loops.
+  known_tree, ///< The same, and nothing closes a loop.
+};
+
+/// Whether there is enough evidence for a loop.
+inline bool is_loop(const Curve_evidence& loop, Limb_reading reading, double least_evidence)
+{
+  return reading != Limb_reading::known_tree && loop.evidence() >= least_evidence &&
+         (reading == Limb_reading::frame || !loop.is_open());
+}
+
 /// Returns the network of limbs that separators cut a surface into. O(n log n) in practice.
 /// \param candidates from `separator_candidates()`
-/// \param least_evidence of a loop; those with less are opened
 inline Limb_network limb_network(const Surface& surface, const Samples& samples,
                                  const Ball_overlaps& overlaps,
                                  const std::vector<Local_separator>& candidates,
-                                 double least_evidence, const Linking_options& options,
+                                 Limb_reading reading, const Linking_options& options,
                                  Concurrency concurrency)
 {
   const std::vector<Local_separator> separators =
@@ -47,20 +62,18 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
   Limb_network result;
   result.quotient = surface_quotient(surface.patches, samples, overlaps, separators, concurrency);
   set_evidence(result.quotient, surface, samples, concurrency);
-  result.quotient.graph = with_loops_opened(std::move(result.quotient.graph), least_evidence);
+  result.quotient.graph =
+    with_loops_opened(std::move(result.quotient.graph), [&](const Curve_evidence& loop) {
+      return is_loop(loop, reading, options.curve.limb_evidence);
+    });
   result.pruned = prune(result.quotient, surface.patches, surface.components, surface.groups,
                         options.curve);
   return result;
 }
 
 /// Part 3a to 3c: returns the network of limbs, or two readings of it: as a frame, then as a tree.
-///
-/// Where limbs are not resolved (twigs of a few points across, limbs as thin as the noise, open
-/// strips), nothing local tells the joint of two limbs from two that touch. As a frame, all
-/// adjacent patches without medial balls are in one limb, so that contacts close loops; as a tree,
-/// they are joined where nothing else joins them, and close none. There is one reading if all
-/// patches have balls, if the frame has no tips, or if the shape is known to be a tree.
-/// O(n log n) in practice.
+/// There is one reading if all patches have balls, if the frame has no tips, or if the shape is
+/// known to be a tree. O(n log n) in practice.
 inline std::vector<Limb_network> read_limbs(const Surface& surface, const Samples& samples,
                                             const Linking_options& options,
                                             Concurrency concurrency, const Progress& progress)
@@ -73,15 +86,14 @@ inline std::vector<Limb_network> read_limbs(const Surface& surface, const Sample
   const std::vector<Local_separator> candidates =
     separator_candidates(surface, samples, overlaps.pairs(), options.separators, concurrency);
   progress(0.6);
-  const double least_evidence =
-    is_tree ? std::numeric_limits<double>::infinity() : options.curve.limb_evidence;
-  const auto read = [&](const Ball_overlaps& known) {
-    return limb_network(surface, samples, known, candidates, least_evidence, options, concurrency);
+  const auto read = [&](const Ball_overlaps& known, Limb_reading reading) {
+    return limb_network(surface, samples, known, candidates, reading, options, concurrency);
   };
-  std::vector<Limb_network> result = {read(overlaps)};
+  std::vector<Limb_network> result = {
+    read(overlaps, is_tree ? Limb_reading::known_tree : Limb_reading::frame)};
   progress(0.8);
   if(!is_tree && overlaps.has_unknown() && number_of_tips(result.front().pruned.graph) > 0)
-    result.push_back(read(overlaps.with_unknown(as_tree)));
+    result.push_back(read(overlaps.with_unknown(as_tree), Limb_reading::tree));
   progress(1);
   return result;
 }
