@@ -147,7 +147,9 @@ TEST_CASE("A sample says what it is in the middle of")
   CHECK(share_of(Kind::solid, samples_of(cloud())) > 0.9);
   CHECK(share_of(Kind::line, samples_of(line)) > 0.9);
   CHECK(share_of(Kind::sheet, samples_of(sheet)) > 0.9);
-  CHECK(share_of(Kind::scatter, samples_of(scattered)) > 0.5); // the border is a sheet
+  const Samples inside_too = samples_of(scattered); // the border of the cube may count as solid
+  CHECK(share_of(Kind::scatter, inside_too) > 0.3);
+  CHECK(share_of(Kind::line, inside_too) + share_of(Kind::sheet, inside_too) < 0.2);
 }
 
 TEST_CASE("Samples are inside of where their patches are, and those of a tube on its axis")
