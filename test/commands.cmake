@@ -13,6 +13,9 @@ if(TARGET skeletonize_point_set)
                                   $<TARGET_FILE:skeletonize_point_set>)
   endforeach()
   set_tests_properties(program_signals PROPERTIES RUN_SERIAL ON) # it measures time
+  if("page" IN_LIST names)
+    set_tests_properties(page PROPERTIES PROCESSORS 2) # draws with all cores
+  endif()
   set_tests_properties(recipes PROPERTIES ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/python")
 endif()
 if(TARGET skeletonize_point_set_mpi)
@@ -68,6 +71,7 @@ if(TARGET html_report)
   target_link_libraries(made_up_report PRIVATE html_report)
   add_test(NAME report
            COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/report.sh" $<TARGET_FILE:made_up_report>)
+  set_tests_properties(report PROPERTIES PROCESSORS 2) # draws with all cores
 endif()
 
 if(TARGET doc AND Point_set_skeletonization_3_COMPARISON)
