@@ -62,8 +62,8 @@ inline std::vector<Bridge> bridges_of_fragments(const Skeleton_graph& graph,
 
 /// Part 3d: joins fragments, pieces of limbs behind something that hid the rest from the scanner,
 /// to what they are near. A fragment was not seen from all sides (what was is complete), has few
-/// points beside the component that it is joined to, and is longer than the gap. Components count as
-/// they are, without what is joined to them: otherwise a forest would grow together. The bridges
+/// points beside the component that it is joined to, and is longer than the gap. Components count
+/// as they are, without what is joined to them: otherwise a forest would grow together. The bridges
 /// lead from a tip, the shorter ones come first, and none closes a cycle. O(n log n), times the
 /// vertices within the length of the longest fragment.
 /// \param points number of points of each vertex
