@@ -40,18 +40,18 @@ public:
     for(const Skeleton_graph::Edge& e : graph.edges)
       measures_[representative_[e.first]].curve.add(graph.vertices[e.first],
                                                     graph.vertices[e.second]);
+    const auto has_fewer = [](const Component& a, const Component& b) {
+      return a.points < b.points;
+    };
+    largest_ = static_cast<std::size_t>(
+      std::max_element(measures_.begin(), measures_.end(), has_fewer) - measures_.begin());
   }
 
   /// The component of a vertex.
   const Component& of(std::size_t v) const { return measures_[representative_[v]]; }
 
   /// The component with the most points. \pre there is a vertex
-  const Component& largest() const
-  {
-    return *std::max_element(
-      measures_.begin(), measures_.end(),
-      [](const Component& a, const Component& b) { return a.points < b.points; });
-  }
+  const Component& largest() const { return measures_[largest_]; }
 
   /// Whether two vertices are connected.
   bool are_connected(std::size_t v, std::size_t w) const
@@ -62,6 +62,7 @@ public:
 private:
   std::vector<std::size_t> representative_; ///< Of each vertex.
   std::vector<Component> measures_;         ///< At each representative.
+  std::size_t largest_ = 0;                 ///< Its representative.
 };
 
 } // namespace internal

@@ -48,6 +48,16 @@ struct Skeleton_graph
   }
 };
 
+/// Returns the positions of the vertices, in the same order. O(n).
+inline std::vector<Vector3> positions_of(const Skeleton_graph& graph)
+{
+  std::vector<Vector3> result;
+  result.reserve(graph.vertices.size());
+  for(const Skeleton_graph::Vertex& vertex : graph.vertices)
+    result.push_back(vertex.position);
+  return result;
+}
+
 } // namespace internal
 } // namespace Point_set_skeletonization_3
 } // namespace CGAL

@@ -8,7 +8,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
-#include <CGAL/Point_set_skeletonization_3/internal/curve/bridges.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/two_edge_connected_components.h>
 
 #include <algorithm>
 #include <array>
@@ -256,7 +256,7 @@ private:
     for(const Skeleton_graph::Edge& e : graph_.edges)
       if(!removed_[e.first] && !removed_[e.second])
         rest.edges.push_back(e);
-    const std::vector<std::size_t> part = parts_between_bridges(rest);
+    const std::vector<std::size_t> part = two_edge_connected_components(rest);
     for(const Skeleton_graph::Edge& e : graph_.edges)
       is_bridge_.push_back(part[e.first] != part[e.second]);
   }

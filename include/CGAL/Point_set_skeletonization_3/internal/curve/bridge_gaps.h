@@ -50,10 +50,9 @@ public:
   /// widest gap from the thickest limb.
   std::vector<Bridge> bridges() const
   {
-    std::vector<Vector3> positions;
+    const std::vector<Vector3> positions = positions_of(graph_);
     double thickest = 0, extent = 0;
     for(std::size_t v = 0; v < graph_.vertices.size(); ++v) {
-      positions.push_back(graph_.vertices[v].position);
       thickest = (std::max)(thickest, graph_.vertices[v].radius);
       extent = (std::max)(extent, extent_[v]);
     }

@@ -70,9 +70,7 @@ private:
 
   std::vector<Bridge> candidates() const
   {
-    std::vector<Vector3> positions;
-    for(const Skeleton_graph::Vertex& vertex : graph_.vertices)
-      positions.push_back(vertex.position);
+    const std::vector<Vector3> positions = positions_of(graph_);
     const Box_tree places(positions);
     std::vector<Bridge> result;
     for(std::size_t v = 0; v < limbs_.size(); ++v)

@@ -41,12 +41,11 @@ inline std::vector<std::size_t> vertices_of_samples(const Skeleton_graph& graph,
                                                     const Surface& surface, const Samples& samples,
                                                     Concurrency concurrency)
 {
-  std::vector<Vector3> vertices, in_order; // samples next to each other in the tree are close
-  for(const Skeleton_graph::Vertex& vertex : graph.vertices)
-    vertices.push_back(vertex.position);
+  std::vector<Vector3> in_order; // samples next to each other in the tree are close
   for(std::size_t i : surface.tree.order())
     in_order.push_back(samples[i].position);
-  return surface.tree.by_index(nearest_points(Box_tree(vertices), in_order, concurrency));
+  return surface.tree.by_index(
+    nearest_points(Box_tree(positions_of(graph)), in_order, concurrency));
 }
 
 /// Fits a skeleton graph to the surface: first `connect()`, then `centre()`, each once.
@@ -170,10 +169,8 @@ private:
   /// Sets the radius of each vertex to the distance of the nearest visible patch, if there is one.
   void measure_radii()
   {
-    std::vector<Vector3> places;
-    for(const Skeleton_graph::Vertex& vertex : graph_.vertices)
-      places.push_back(vertex.position);
-    const std::vector<double> radii = surface_.visible.distances(places, concurrency_);
+    const std::vector<double> radii =
+      surface_.visible.distances(positions_of(graph_), concurrency_);
     for(std::size_t v = 0; v < radii.size(); ++v)
       if(radii[v] > 0)
         graph_.vertices[v].radius = radii[v];

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -37,9 +36,7 @@ inline std::vector<Bridge> bridges_of_fragments(const Skeleton_graph& graph,
   std::vector<Bridge> bridges;
   if(longest == 0)
     return bridges;
-  std::vector<Vector3> positions;
-  for(const Skeleton_graph::Vertex& vertex : graph.vertices)
-    positions.push_back(vertex.position);
+  const std::vector<Vector3> positions = positions_of(graph);
   const Box_tree places(positions);
   const std::vector<std::vector<std::size_t>> adjacency = graph.adjacency();
   for(std::size_t v = 0; v < adjacency.size(); ++v) {

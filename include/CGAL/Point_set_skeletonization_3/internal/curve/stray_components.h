@@ -4,11 +4,9 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_STRAY_COMPONENTS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_STRAY_COMPONENTS_H
 
-
-#include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Measured_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -21,16 +19,10 @@ namespace internal {
 inline std::vector<bool> stray_vertices(const Skeleton_graph& graph,
                                         const std::vector<double>& weight, double stray_share)
 {
-  Union_find parts(graph.vertices.size());
-  for(const Skeleton_graph::Edge& e : graph.edges)
-    parts.join(e.first, e.second);
-  std::vector<double> total(graph.vertices.size(), 0);
+  const Measured_components components(graph, weight);
+  std::vector<bool> stray;
   for(std::size_t v = 0; v < weight.size(); ++v)
-    total[parts.find(v)] += weight[v];
-  const double largest = total.empty() ? 0 : *std::max_element(total.begin(), total.end());
-  std::vector<bool> stray(graph.vertices.size());
-  for(std::size_t v = 0; v < stray.size(); ++v)
-    stray[v] = total[parts.find(v)] < stray_share * largest;
+    stray.push_back(components.of(v).points < stray_share * components.largest().points);
   return stray;
 }
 

@@ -144,7 +144,8 @@ Plain_samples to_plain(const Medial_samples_3<GeomTraits>& samples)
 {
   Plain_samples result;
   for(const auto& s : samples.samples)
-    result.samples.push_back({to_plain(s.patch), to_plain(s.point), CGAL::to_double(s.radius), s.kind});
+    result.samples.push_back(
+      {to_plain(s.patch), to_plain(s.point), CGAL::to_double(s.radius), s.kind});
   result.noise = CGAL::to_double(samples.noise);
   result.box = to_plain(samples.bbox);
   for(const auto& p : samples.surface)

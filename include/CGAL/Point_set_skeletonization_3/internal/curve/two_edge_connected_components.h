@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_BRIDGES_H
-#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_BRIDGES_H
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_TWO_EDGE_CONNECTED_COMPONENTS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_TWO_EDGE_CONNECTED_COMPONENTS_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
@@ -21,7 +21,7 @@ namespace internal {
 ///
 /// Each edge outside a spanning forest closes a cycle, which is one part. Done here because
 /// `boost::biconnected_components()` makes the pruning take half as long again to compile.
-inline std::vector<std::size_t> parts_between_bridges(const Skeleton_graph& graph)
+inline std::vector<std::size_t> two_edge_connected_components(const Skeleton_graph& graph)
 {
   const std::size_t size = graph.vertices.size();
   std::vector<std::vector<std::size_t>> edges_at(size);
@@ -75,4 +75,4 @@ inline std::vector<std::size_t> parts_between_bridges(const Skeleton_graph& grap
 } // namespace Point_set_skeletonization_3
 } // namespace CGAL
 
-#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_BRIDGES_H
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_TWO_EDGE_CONNECTED_COMPONENTS_H

@@ -4,7 +4,7 @@
 #include "catch2.h"
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
-#include <CGAL/Point_set_skeletonization_3/internal/curve/bridges.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/two_edge_connected_components.h>
 
 #include <cstddef>
 #include <random>
@@ -28,7 +28,7 @@ bool is_bridge(const Skeleton_graph& graph, std::size_t e)
 
 void check_bridges(const Skeleton_graph& graph)
 {
-  const std::vector<std::size_t> part = internal::parts_between_bridges(graph);
+  const std::vector<std::size_t> part = internal::two_edge_connected_components(graph);
   REQUIRE(part.size() == graph.vertices.size());
   for(std::size_t e = 0; e < graph.edges.size(); ++e) {
     const auto [v, w] = graph.edges[e];
@@ -44,7 +44,7 @@ TEST_CASE("Parts between bridges: two cycles and the path between them, a parall
   graph.vertices.resize(9);
   graph.edges = {{3, 1}, {1, 0}, {0, 3}, {3, 5}, {5, 8}, {8, 2}, {2, 4}, {4, 8}, {6, 7}};
   check_bridges(graph);
-  const std::vector<std::size_t> part = internal::parts_between_bridges(graph);
+  const std::vector<std::size_t> part = internal::two_edge_connected_components(graph);
   CHECK(part[6] != part[7]);
   CHECK(part[5] != part[3]);
   CHECK(part[2] == part[8]);
