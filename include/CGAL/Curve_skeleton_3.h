@@ -24,7 +24,8 @@ struct Curve_skeleton_vertex_3
   /// Position, in the coordinates of the input.
   typename GeomTraits::Point_3 point = typename GeomTraits::Construct_point_3()(ORIGIN);
 
-  /// Distance to the nearest surface visible from the vertex; >= 0, in the unit of the input.
+  /// Distance to the nearest surface visible from the vertex, or, where the other side of the surface
+  /// was not seen, the median distance of the points around; >= 0, in the unit of the input.
   typename GeomTraits::FT radius = 0;
 
   /// Positions in the input range, ascending, of the points of this vertex. Each input point

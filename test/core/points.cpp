@@ -13,6 +13,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Normalized_points.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Per_thread.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/l1_median.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 
 #include <algorithm>
@@ -159,4 +160,23 @@ TEST_CASE("A part of the progress covers its part of the whole, and cancels all"
   CHECK_THROWS_AS(part(0.75), Cancelled);
   CHECK(values.back() == Approx(0.55));
   CHECK_NOTHROW(Progress()(0.5));
+}
+
+TEST_CASE("The L1-median has the least sum of distances, and outliers do not move it")
+{
+  shapes::Random random(seed);
+  std::vector<Vector3> points = cloud(500);
+  const auto sum_of_distances = [&points](const Vector3& q) {
+    double sum = 0;
+    for(const Vector3& p : points)
+      sum += (p - q).norm();
+    return sum;
+  };
+  constexpr double closest = 0.01;
+  const Vector3 median = l1_median(points, closest);
+  for(int i = 0; i < 100; ++i)
+    CHECK(sum_of_distances(median) <= sum_of_distances(median + 0.2 * random.uniform_vector()) + 0.01);
+  points.insert(points.end(), 50, Vector3(1000, 0, 0));
+  CHECK((l1_median(points, closest) - median).norm() < 2); // the mean moves by 90
+  CHECK(l1_median(std::vector<Vector3>(3, Vector3(1, 2, 3)), closest).isApprox(Vector3(1, 2, 3)));
 }

@@ -327,6 +327,36 @@ TEST_CASE("A tube of which one side is missing draws nothing to the other")
     }
 }
 
+TEST_CASE("An open limb of which hardly half was seen is centred on its points")
+{
+  constexpr double length = 20;
+  for(const unsigned int seed : seeds) {
+    CAPTURE(seed);
+    shapes::Random random(seed);
+    // A strip of width 2, which floats beside the curve.
+    Limb strip = curve(straight, length, false, [](double) { return Vector3(0.3, 0.5, 0); });
+    Limb arc = strip;
+    for(Limb* limb : {&strip, &arc})
+      for(auto& vertex : limb->graph.vertices)
+        vertex.open = 1;
+    for(int i = 0; i < static_cast<int>(2 * length / (spacing * spacing)); ++i)
+      add(strip, Vector3(random.uniform(-1, 1), 0, random.uniform(0, length)));
+    strip.centre();
+    CHECK(mean_distance(strip, from_z_axis) < 0.1);
+    CHECK(strip.graph.vertices[strip.graph.vertices.size() / 2].radius ==
+          Approx(0.5).margin(0.15)); // the median distance from the middle
+
+    Sampling sampling;
+    sampling.from = -CGAL_PI / 3;
+    sampling.turn = 2 * CGAL_PI / 3;
+    sample_tube(arc, straight, length, sampling, random);
+    arc.centre();
+    // Not on the axis of the tube, where nothing was seen.
+    CHECK(mean_distance(arc, [](const Vector3& p) { return (p - Vector3(0.85, 0, p.z())).norm(); }) <
+          0.15);
+  }
+}
+
 TEST_CASE("Nothing is drawn out of the shape")
 {
   constexpr double length = 20, wall = 0.7; // what is inside

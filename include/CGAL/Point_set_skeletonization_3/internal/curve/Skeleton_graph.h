@@ -58,6 +58,13 @@ inline std::vector<Vector3> positions_of(const Skeleton_graph& graph)
   return result;
 }
 
+/// Whether the other side of most of the limb around a vertex was not seen: it is a sheet, scattered
+/// or a line.
+inline bool is_open(const Skeleton_graph::Vertex& vertex)
+{
+  return vertex.open > 0.5;
+}
+
 } // namespace internal
 } // namespace Point_set_skeletonization_3
 } // namespace CGAL

@@ -4,11 +4,14 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_CENTRE_CURVE_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_CENTRE_CURVE_H
 
-
+#include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/l1_median.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/quantile.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/cross_section.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 
 #include <CGAL/number_utils.h>
 
@@ -19,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -26,11 +30,14 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Moves the vertices of a skeleton to the centroids of the cross-sections of its limbs, smoothly.
+/// Moves the vertices of a skeleton to the middle of the cross-sections of its limbs, smoothly.
 ///
 /// The plane through a vertex orthogonal to its branch cuts the limb; the centroid c of the area of
-/// the cross-section is the target of the vertex. It is known from a few points only. The positions
-/// x minimise the squared distances to the targets plus a bending energy,
+/// the cross-section is the target of the vertex. It is known from a few points only. An open limb
+/// has no area if less than half of its boundary was seen (a leaf) or it is scattered (a twig in
+/// leaf). Then the target is the L1-median of the points of the cross-section, so that the curve
+/// stays on them, and the radius is their median distance from it. The positions x minimise the
+/// squared distances to the targets plus a bending energy,
 ///
 ///     sum w |x - c|^2 + sum (l / h)^4 |second difference of x|^2
 ///
@@ -38,7 +45,7 @@ namespace internal {
 /// and a length l in proportion to the radius: limbs do not undulate within their own width. This
 /// is a low-pass filter of fourth order: it keeps one half of a wave of length 2 pi l, and of ten
 /// times that all but 1 in 10000. Cross-sections move with the skeleton, so a few rounds are
-/// needed. A target outside the shape, as that of a channel, is ignored.
+/// needed. A centroid outside the shape, as that of a channel, is ignored.
 class Curve_centring
 {
 public:
@@ -60,9 +67,12 @@ public:
       , adjacency_(graph.adjacency())
       , start_(graph.vertices)
       , drawn_(graph.vertices.size())
-  {}
+  {
+    for(std::size_t v = 0; v < drawn_.size(); ++v)
+      drawn_[v].radius = first_radius(v);
+  }
 
-  /// Solves a sparse linear system in each of three rounds.
+  /// Solves a sparse linear system in each of three rounds, and sets the radii of open limbs.
   void run()
   {
     constexpr int rounds = 3; // each leaves a tenth of the distance
@@ -72,20 +82,25 @@ public:
         if((graph_.vertices[v].position - drawn_[v].from).norm() >= stays * drawn_[v].radius)
           moved.push_back(v);
       parallel_for(concurrency_, moved.size(),
-                                   [&](std::size_t k) { drawn_[moved[k]] = drawn(moved[k]); });
+                   [&](std::size_t k) { drawn_[moved[k]] = drawn(moved[k]); });
       keep_inside(moved);
       move();
     }
+    for(std::size_t v = 0; v < drawn_.size(); ++v)
+      if(is_open(graph_.vertices[v]))
+        graph_.vertices[v].radius = drawn_[v].radius;
   }
 
 private:
   /// The target of a vertex.
   struct Drawn
   {
-    Vector3 from = Vector3::Zero(); ///< Of the vertex, when the target was computed.
+    /// Of the vertex, when the target was computed; nowhere at first.
+    Vector3 from = Vector3::Constant(std::numeric_limits<double>::infinity());
     Vector3 target = Vector3::Zero();
     double weight = 0;
-    double radius = 0; ///< Of the limb there; 0: not computed yet.
+    double radius = 0;        ///< Of the limb there.
+    bool is_centroid = false; ///< Of an area, which contains it.
   };
 
   /// Radii; a vertex that has moved less keeps its target: a target moves by at most a tenth of the
@@ -96,45 +111,82 @@ private:
   /// target.
   static constexpr double least_weight = 0.1;
 
-  /// The target of a vertex without a cross-section.
-  Drawn not_drawn(std::size_t v) const
+  /// The radius of the limb at a vertex before there is a cross-section. That of an open limb is
+  /// the median distance, across the limb, of the points of the vertex.
+  double first_radius(std::size_t v) const
   {
     const Skeleton_graph::Vertex& vertex = graph_.vertices[v];
-    return {vertex.position, start_[v].position, least_weight,
-            (std::max)(vertex.radius, vertex.resolution)};
+    const double radius = (std::max)(vertex.radius, vertex.resolution);
+    if(!is_open(vertex) || surface_[v].empty())
+      return radius;
+    const Vector3 axis = piece_around(v, radius).axis;
+    std::vector<double> distances;
+    for(const Vector3& p : surface_[v]) {
+      const Vector3 offset = p - vertex.position;
+      distances.push_back((offset - axis.dot(offset) * axis).norm());
+    }
+    return (std::max)(radius, quantile(std::move(distances), 0.5));
+  }
+
+  /// The target of a vertex without a cross-section.
+  Drawn not_drawn(std::size_t v, double radius) const
+  {
+    return {graph_.vertices[v].position, start_[v].position, least_weight, radius, false};
   }
 
   /// The target of a vertex.
   Drawn drawn(std::size_t v) const
   {
     const Skeleton_graph::Vertex& vertex = graph_.vertices[v];
-    const double radius = (std::max)(vertex.radius, vertex.resolution);
+    const double known = (std::max)(vertex.radius, vertex.resolution);
+    const double radius = is_open(vertex) ? (std::max)(known, drawn_[v].radius) : known;
     const Piece piece = piece_around(v, radius);
     if(!(piece.half_chord > 0)) // a junction
-      return not_drawn(v);
+      return not_drawn(v, radius);
     const Vector3 e1 = piece.axis.unitOrthogonal(), e2 = piece.axis.cross(e1);
-    const Cross_section section = cross_section(cut(v, piece, e1, e2, radius));
+    const auto in_space = [&](const Eigen::Vector2d& p) -> Vector3 {
+      return vertex.position + p.x() * e1 + p.y() * e2;
+    };
+    const std::vector<Eigen::Vector2d> points = cut(v, piece, e1, e2, radius);
+    const Cross_section section = cross_section(points);
     // With a gap of 180 degrees the centroid is inaccurate, but better than none; it is not used
-    // with a gap of 240 degrees, or where a sheet is open on both sides.
+    // with a gap of 240 degrees.
     constexpr double half_unknown = CGAL_PI;
     const double weight = 1 - section.unknown / half_unknown;
-    if(!(section.area > 0) || weight <= least_weight)
-      return not_drawn(v);
-    const Vector3 target =
-      vertex.position + section.center.x() * e1 + section.center.y() * e2;
-    return {vertex.position, target, weight, (std::max)(radius, std::sqrt(section.area / CGAL_PI))};
+    if(section.area > 0 && weight > least_weight && (!is_open(vertex) || has_area(vertex, weight)))
+      return {vertex.position, in_space(section.center), weight,
+              (std::max)(radius, std::sqrt(section.area / CGAL_PI)), true};
+    if(!is_open(vertex) || points.empty())
+      return not_drawn(v, radius);
+    const Eigen::Vector2d median = l1_median(points, 0.1 * vertex.resolution + least_spacing);
+    std::vector<double> distances;
+    for(const Eigen::Vector2d& p : points)
+      distances.push_back((p - median).norm());
+    return {vertex.position, in_space(median), 1,
+            (std::max)(vertex.resolution, quantile(std::move(distances), 0.5)), false};
   }
 
-  /// Ignores targets outside the shape.
-  void keep_inside(const std::vector<std::size_t>& vertices)
+  /// Whether a cross-section of an open limb has an area: it is a limb, and the gap of its boundary
+  /// is less than 180 degrees, or the centroid of what was seen would be beside its points.
+  bool has_area(const Skeleton_graph::Vertex& vertex, double weight) const
   {
+    constexpr double half_seen = 1. / 3; // the weight with a gap of 180 degrees
+    return vertex.evidence >= options_.limb_evidence && weight > half_seen;
+  }
+
+  /// Ignores centroids outside the shape.
+  void keep_inside(std::vector<std::size_t> vertices)
+  {
+    vertices.erase(std::remove_if(vertices.begin(), vertices.end(),
+                                  [&](std::size_t v) { return !drawn_[v].is_centroid; }),
+                   vertices.end());
     std::vector<Vector3> targets;
     for(std::size_t v : vertices)
       targets.push_back(drawn_[v].target);
     const std::vector<bool> is_inside = inside_(targets);
     for(std::size_t k = 0; k < vertices.size(); ++k)
       if(!is_inside[k])
-        drawn_[vertices[k]] = not_drawn(vertices[k]);
+        drawn_[vertices[k]] = not_drawn(vertices[k], first_radius(vertices[k]));
   }
 
   /// A piece of a branch, approximated by a parabola.
@@ -175,7 +227,7 @@ private:
     // limbs.
     constexpr double reach = 2; // radii
     std::vector<Eigen::Vector2d> result;
-    for(std::size_t u : around(v, half_width + reach * graph_.vertices[v].radius))
+    for(std::size_t u : around(v, half_width + reach * radius))
       for(const Vector3& p : surface_[u]) {
         Vector3 d = p - graph_.vertices[v].position;
         const double z = piece.axis.dot(d);

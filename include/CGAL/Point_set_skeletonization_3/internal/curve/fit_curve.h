@@ -93,7 +93,7 @@ public:
     centre_vertices();
     extend();
     centre_vertices();
-    measure_radii();
+    measure_radii(false);
     if(noise_ > 0)
       correct_radii(points_of_vertices());
   }
@@ -167,12 +167,13 @@ private:
   }
 
   /// Sets the radius of each vertex to the distance of the nearest visible patch, if there is one.
-  void measure_radii()
+  /// That of an open limb is better known after centring: the distance of its points.
+  void measure_radii(bool of_open_limbs = true)
   {
     const std::vector<double> radii =
       surface_.visible.distances(positions_of(graph_), concurrency_);
     for(std::size_t v = 0; v < radii.size(); ++v)
-      if(radii[v] > 0)
+      if(radii[v] > 0 && (of_open_limbs || !is_open(graph_.vertices[v])))
         graph_.vertices[v].radius = radii[v];
   }
 

@@ -6,6 +6,7 @@
 
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/l1_median.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/minimum_spanning_forest.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
@@ -145,33 +146,22 @@ patches_of_vertices(const std::vector<std::size_t>& vertex_of_patch, std::size_t
   return result;
 }
 
-/// Returns the L1-median of some samples, which is robust against outliers, by Weiszfeld's
-/// iteration from their mean; their mean radius, the mean resolution of their patches, and the
-/// share that is on its patch. O(samples). \pre there is a sample
+/// Returns the L1-median of some samples, their mean radius, the mean resolution of their patches,
+/// and the share that is on its patch. O(samples). \pre there is a sample
 inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
                                      const Patches& patches, const Samples& samples)
 {
   Skeleton_graph::Vertex result;
   const double share = 1 / static_cast<double>(members.size());
   for(std::size_t i : members) {
-    result.position += share * samples[i].position;
     result.radius += share * samples[i].radius;
     result.resolution += share * patches[i].resolution();
     result.open += is_off_surface(samples[i], patches[i]) ? 0 : share;
   }
-  constexpr int iterations = 10; // it converges linearly, and a tenth of a radius is enough
-  for(int iteration = 0; iteration < iterations; ++iteration) {
-    Vector3 sum = Vector3::Zero();
-    double weight = 0;
-    for(std::size_t i : members) {
-      // Bounded below, or a single sample would take all the weight.
-      const double distance = (std::max)((samples[i].position - result.position).norm(),
-                                       0.1 * result.radius + least_spacing);
-      sum += (samples[i].position - result.position) / distance;
-      weight += 1 / distance;
-    }
-    result.position += sum / weight;
-  }
+  std::vector<Vector3> positions;
+  for(std::size_t i : members)
+    positions.push_back(samples[i].position);
+  result.position = l1_median(positions, 0.1 * result.radius + least_spacing);
   return result;
 }
 

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_L1_MEDIAN_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_L1_MEDIAN_H
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// Returns the L1-median of some points (Eigen vectors), the place with the least sum of distances
+/// to them, which is robust against outliers: ten of Weiszfeld's iterations from their mean.
+/// Distances count as at least `closest`, or a single point would take all the weight. O(points).
+/// \pre there is a point, and `closest` is positive
+template <typename Point>
+Point l1_median(const std::vector<Point>& points, double closest)
+{
+  Point result = Point::Zero();
+  for(const Point& p : points)
+    result += p;
+  result /= static_cast<double>(points.size());
+  constexpr int iterations = 10; // it converges linearly, and a tenth of a radius is enough
+  for(int iteration = 0; iteration < iterations; ++iteration) {
+    Point sum = Point::Zero();
+    double weight = 0;
+    for(const Point& p : points) {
+      const double distance = (std::max)((p - result).norm(), closest);
+      sum += (p - result) / distance;
+      weight += 1 / distance;
+    }
+    result += sum / weight;
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CORE_L1_MEDIAN_H
