@@ -104,12 +104,18 @@ assignment_of(const CGAL::Published_l1_medial_skeletonization_3<Kernel, Concurre
   return {};
 }
 
-/// Runs the steps of either method.
-template <typename Skeletonization>
-Result run_steps(Skeletonization& steps)
+/// Points stay; what was streamed is of no use after the first step, and takes as much memory as
+/// the others.
+inline void forget(const std::vector<Point>&) {}
+inline void forget(Builder& builder) { builder = Builder(); }
+
+/// Runs the steps of either method on its points.
+template <typename Skeletonization, typename Points>
+Result run_steps(Skeletonization& steps, Points& points)
 {
   Result result;
   result.mixture_seconds = seconds_of([&] { return steps.fit_mixture(); });
+  forget(points);
   result.projection_seconds = seconds_of([&] { return steps.project(); });
   result.linking_seconds = seconds_of([&] { return steps.link(); });
   result.mixture = steps.number_of_components();
@@ -141,16 +147,16 @@ Result skeletonize_as_published(const std::vector<Point>& points, const Options&
 {
   CGAL::Published_l1_medial_skeletonization_3<Kernel, ConcurrencyTag> steps(
       points, published_parameters(options, bar));
-  Result result = run_steps(steps);
+  Result result = run_steps(steps, points);
   result.iterations = steps.number_of_iterations();
   return result;
 }
 
-/// Of points, or of what was streamed.
+/// Of points, or of what was streamed, which is empty afterwards.
 template <typename ConcurrencyTag, typename Points>
-Result skeletonize(const Points& points, const Options& options, Progress_bar& bar)
+Result skeletonize(Points& points, const Options& options, Progress_bar& bar)
 {
-  if constexpr(std::is_same<Points, std::vector<Point>>::value)
+  if constexpr(!std::is_same<Points, Builder>::value)
     if(options.as_published)
       return skeletonize_as_published<ConcurrencyTag>(points, options, bar);
   using namespace CGAL::parameters;
@@ -158,7 +164,7 @@ Result skeletonize(const Points& points, const Options& options, Progress_bar& b
       points, maximum_cells(options.cells,
                             single_component(options.single_component,
                                              is_tree(options.is_tree, callback_of(bar)))));
-  return run_steps(steps);
+  return run_steps(steps, points);
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -168,7 +174,7 @@ inline int number_of_threads(const Options& options)
 }
 
 template <typename Points>
-Result skeletonize_with_threads(const Points& points, const Options& options, Progress_bar& bar)
+Result skeletonize_with_threads(Points& points, const Options& options, Progress_bar& bar)
 {
   const int threads = number_of_threads(options);
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
@@ -178,7 +184,7 @@ Result skeletonize_with_threads(const Points& points, const Options& options, Pr
 }
 #else
 template <typename Points>
-Result skeletonize_with_threads(const Points& points, const Options& options, Progress_bar& bar)
+Result skeletonize_with_threads(Points& points, const Options& options, Progress_bar& bar)
 {
   return skeletonize<CGAL::Sequential_tag>(points, options, bar);
 }
@@ -283,14 +289,15 @@ inline void print_summary(const Reading& reading, const Result& result, const Gr
 }
 
 template <typename Points>
-Result run(const Points& points, const Options& options)
+Result run(Points& points, const Options& options)
 {
   Progress_bar bar(!options.quiet);
   return skeletonize_with_threads(points, options, bar);
 }
 
-/// Computes the skeleton of each part, the largest first, each on one thread.
-inline std::vector<Result> run_parts(const std::vector<Builder>& parts, const Options& options)
+/// Computes the skeleton of each part, the largest first, each on one thread. The parts are empty
+/// afterwards.
+inline std::vector<Result> run_parts(std::vector<Builder>& parts, const Options& options)
 {
   std::vector<Result> results(parts.size());
   Progress_bar bar(!options.quiet), none(false);
@@ -324,7 +331,7 @@ struct Reported
 };
 
 /// Computes and writes the skeleton of streamed points, or those of their parts.
-inline std::vector<Reported> skeletonize_streamed(const Builder& builder, const Reading& reading,
+inline std::vector<Reported> skeletonize_streamed(Builder builder, const Reading& reading,
                                                   const Options& options)
 {
   CGAL::Point_set_skeletonization_3::internal::Output_transaction outputs;
@@ -338,11 +345,15 @@ inline std::vector<Reported> skeletonize_streamed(const Builder& builder, const 
   if(!options.split)
     write(reading, run(builder, options), options);
   else {
-    const std::vector<Builder> parts = builder.split();
+    std::vector<Builder> parts = builder.split();
+    forget(builder);
+    std::vector<std::size_t> sizes;
+    for(const Builder& part : parts)
+      sizes.push_back(part.number_of_points());
     std::vector<Result> results = run_parts(parts, options);
     for(std::size_t i = 0; i < parts.size(); ++i) {
       Reading of_part = reading;
-      of_part.points = parts[i].number_of_points();
+      of_part.points = sizes[i];
       of_part.part = i + 1;
       write(of_part, std::move(results[i]), options_of_part(options, i + 1, parts.size()));
     }

@@ -78,12 +78,12 @@ void run(const Options& options)
   if(options.stream || options.split || is_moments_file(options.input)) {
     CGAL::Real_timer timer;
     timer.start();
-    const auto [builder, skipped] = stream(options);
+    auto [builder, skipped] = stream(options);
     reading.seconds = timer.time();
     reading.points = builder.number_of_points();
     if(options.skip_invalid)
       reading.skipped = skipped;
-    reported = skeletonize_streamed(builder, reading, options);
+    reported = skeletonize_streamed(std::move(builder), reading, options);
   } else {
     CGAL::Point_set_skeletonization_3::internal::Output_transaction outputs;
     const Points_and_faces<Point> input = load(options);

@@ -198,7 +198,7 @@ private:
   {
     together([&](const Ranks::Report&) {
       if(ranks_.is_first())
-        reported_ = skeletonize_streamed(builder, reading, options_);
+        reported_ = skeletonize_streamed(std::move(builder), reading, options_);
       else
         reported_.emplace_back(); // to be received
     });

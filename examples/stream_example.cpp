@@ -12,8 +12,10 @@
 #include <CGAL/IO/Curve_skeleton_3.h>
 #include <CGAL/extract_l1_medial_skeleton.h>
 
+#include <cstddef>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -37,8 +39,8 @@ int main(int argc, char** argv)
   }
 
   CGAL::Curve_skeleton_3<Kernel> skeleton;
-  CGAL::extract_l1_medial_skeleton(all, skeleton);
-  std::cout << all.number_of_points() << " points have a skeleton of " << num_vertices(skeleton)
-            << " vertices\n";
+  const std::size_t points = all.number_of_points();
+  CGAL::extract_l1_medial_skeleton(std::move(all), skeleton); // its memory is used again
+  std::cout << points << " points have a skeleton of " << num_vertices(skeleton) << " vertices\n";
   CGAL::IO::write_curve_skeleton("stream_example.ply", skeleton);
 }

@@ -16,6 +16,7 @@
 
 #include <boost/graph/adjacency_list.hpp>
 
+#include <functional>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -32,12 +33,15 @@ struct Bare_vertex
 using Bare_skeleton =
     boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Bare_vertex>;
 
+/// `forget()` is called as soon as the points are not needed any more.
 template <typename ConcurrencyTag, typename Graph = Skeleton, typename Points>
-void skeletonize(const Points& points, Stopwatch& stopwatch)
+void skeletonize(
+    const Points& points, Stopwatch& stopwatch, const std::function<void()>& forget = [] {})
 {
   using Skeletonization = CGAL::L1_medial_skeletonization_3<Kernel, ConcurrencyTag>;
   Skeletonization steps(points);
   stopwatch.stage("mixture", [&] { steps.fit_mixture(); });
+  forget();
   stopwatch.stage("projection", [&] { steps.project(); });
   stopwatch.stage("linking", [&] { steps.link(); });
   Graph skeleton;
@@ -79,7 +83,7 @@ void skeletonize_stream(const std::string& file, Stopwatch& stopwatch)
   stopwatch.stage("moments", [&] {
     for_each_point<Point>(file, [&builder](const Point& p) { builder.insert(p); });
   });
-  skeletonize<CGAL::Sequential_tag>(builder, stopwatch);
+  skeletonize<CGAL::Sequential_tag>(builder, stopwatch, [&builder] { builder = {}; });
 }
 
 void flow_mesh(const std::vector<Mesh>& components, Stopwatch& stopwatch)

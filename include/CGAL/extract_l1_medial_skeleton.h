@@ -104,6 +104,24 @@ bool extract_l1_medial_skeleton(const Gaussian_mixture_builder_3<Traits>& points
   return skeletonization.run() && skeletonization.extract_skeleton(skeleton);
 }
 
+/// \ingroup PkgPointSetSkeletonization3Ref
+///
+/// The same for a builder that is no longer needed, `std::move(builder)`: its memory is returned
+/// before most of the other memory is taken. It is empty afterwards, unless the callback cancelled
+/// before the points were used.
+template <typename ConcurrencyTag = Sequential_tag, typename Traits, typename Skeleton,
+          typename NamedParameters = parameters::Default_named_parameters>
+bool extract_l1_medial_skeleton(Gaussian_mixture_builder_3<Traits>&& points, Skeleton& skeleton,
+                                const NamedParameters& np = parameters::default_values())
+{
+  L1_medial_skeletonization_3<Traits, ConcurrencyTag> skeletonization(points, np);
+  if(!skeletonization.fit_mixture())
+    return false;
+  points = Gaussian_mixture_builder_3<Traits>();
+  return skeletonization.project() && skeletonization.link() &&
+         skeletonization.extract_skeleton(skeleton);
+}
+
 } // namespace CGAL
 
 #endif // CGAL_EXTRACT_L1_MEDIAL_SKELETON_H

@@ -67,6 +67,28 @@ public:
       add(around(unpacked(other.cells()[i])), other.moments_[i]);
   }
 
+  /// Merges the cells into those of a coarser grid, each into the one `around` it. In place: a
+  /// second set of moments would double the peak of memory. O(cells).
+  void coarsen(const Cell_around& around)
+  {
+    number_of_ = Cell_map<std::uint32_t>();
+    std::size_t coarse = 0; // never more than cells read
+    for(std::size_t i = 0; i < cells_.size(); ++i) {
+      const std::uint64_t cell = packed(around(unpacked(cells_[i])));
+      std::uint32_t& number = number_of_[cell];
+      if(number_of_.size() == coarse) {
+        moments_[number].add(moments_[i]);
+        continue;
+      }
+      number = static_cast<std::uint32_t>(coarse);
+      cells_[coarse] = cell;
+      moments_[coarse] = moments_[i];
+      ++coarse;
+    }
+    cells_.resize(coarse);
+    moments_.resize(coarse);
+  }
+
 private:
   /// Index of a cell, which is added if it is new.
   std::size_t inserted(const Grid_cell& cell)
@@ -183,8 +205,7 @@ private:
     if(level == grid_.level)
       return;
     const Cubic_grid fine = std::exchange(grid_, {level, 1});
-    const Moment_cells fine_cells = std::exchange(cells_, Moment_cells());
-    cells_.add(fine_cells, grid_.around(fine));
+    cells_.coarsen(grid_.around(fine));
     cell_of_ = Cell_of_point(grid_);
   }
 
