@@ -144,8 +144,8 @@ inline Grid_level coarser_level(const Cubic_grid& grid, const Moment_cells& cell
   return result;
 }
 
-/// Greatest number of parts of a cloud: work for eight threads.
-constexpr std::size_t cloud_parts = 8;
+/// Greatest number of parts of a cloud that threads add up: work for eight.
+constexpr std::size_t most_cloud_parts = 8;
 
 /// The cell index of each point, in chunks whose memory can be returned to the system one after the
 /// other; the heap might keep it.
@@ -191,8 +191,11 @@ inline Cells_of_points add_points(const Normalized_points& points, Grid_level& l
                                   Concurrency concurrency, const Progress& progress)
 {
   constexpr std::size_t worth_a_part = 16; // points of a cell: parts need less memory than points
-  std::vector<std::vector<Exact_moments>> parts(
-    (std::min)(cloud_parts, 1 + points.bulk_size() / (worth_a_part * level.cells.size())));
+  const std::size_t more_parts =
+    concurrency == Concurrency::sequential
+      ? 0
+      : (std::min)(most_cloud_parts - 1, points.bulk_size() / (worth_a_part * level.cells.size()));
+  std::vector<std::vector<Exact_moments>> parts(more_parts); // beside the level itself
   Cells_of_points cell_of_point(points.size());
   if(points.number_of_far > 0)
     for(std::size_t i = 0; i < points.size(); ++i)
@@ -201,11 +204,14 @@ inline Cells_of_points add_points(const Normalized_points& points, Grid_level& l
   for(std::vector<Exact_moments>& part : parts)
     part.resize(level.cells.size());
   points.visit_parts(
-    parts.size(),
+    parts.size() + 1,
     [&](std::size_t k, std::size_t i, const Vector3& p) {
       const Lattice_point place = lattice_point(p);
       const std::size_t number = level.cells.number(cell_of(place));
-      parts[k][number].add(place);
+      if(k < parts.size())
+        parts[k][number].add(place);
+      else
+        level.cells.add(number, place);
       cell_of_point[i] = static_cast<std::uint32_t>(number);
     },
     concurrency, progress);

@@ -53,6 +53,9 @@ public:
     moments_[inserted(cell)].add(addend);
   }
 
+  /// Adds a point to the cell with this index. O(1).
+  void add(std::size_t number, const Lattice_point& p) { moments_[number].add(p); }
+
   /// Adds moments of the same cells, in the same order. O(cells).
   void add(const std::vector<Exact_moments>& others)
   {
