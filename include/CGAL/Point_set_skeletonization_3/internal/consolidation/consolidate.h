@@ -105,7 +105,7 @@ struct Consolidated_mixture
   std::vector<std::size_t> merged_into; ///< For each component before; `none` for outliers.
   double noise = 0;              ///< Strength of the noise removed, in [0, 1].
   double cell_size = 0;          ///< Edge length of the cells of the components; 0: no cells.
-  K_nearest_neighbors neighbors; ///< Of the components, each first itself.
+  K_nearest_neighbors neighbors; ///< Of the components, each first itself, until they were used.
 };
 
 /// Moves the components of a mixture to the surface that they scatter around, and drops outliers.
@@ -117,12 +117,12 @@ struct Consolidated_mixture
 class Consolidation
 {
 public:
-  /// `tree` is over the means, `nearest` are nine or more neighbours of each. Refers to all but the
-  /// tree.
-  Consolidation(const Gaussians& mixture, const Box_tree& tree, const K_nearest_neighbors& nearest,
-                const Consolidation_options& options, Concurrency concurrency)
-    : options_(options), concurrency_(concurrency), tree_(tree), nearest_(nearest),
-      spacings_(spacings(nearest)),
+  /// Refers to mixture and options. O(n log n).
+  Consolidation(const Gaussians& mixture, const Consolidation_options& options,
+                Concurrency concurrency)
+    : options_(options), concurrency_(concurrency), tree_(means_of(mixture), concurrency),
+      nearest_(k_nearest_neighbors(tree_, surface_neighbors + 1, concurrency)),
+      spacings_(spacings(nearest_)),
       spacing_(std::max(quantile(spacings_, 0.5), (std::numeric_limits<double>::min)())),
       radii_(spacing_), moving_{mixture, means_of(mixture), isolated_components()},
       is_on_line_(mixture.size(), false)
@@ -387,11 +387,12 @@ private:
   }
 
   /// The remaining components, without moves; `tree` is over them.
-  Consolidated_mixture kept(const Box_tree& tree, double cell_size) const
+  Consolidated_mixture kept(const Box_tree& tree, double cell_size)
   {
     Consolidated_mixture result;
     result.cell_size = cell_size;
     result.merged_into.assign(spacings_.size(), Consolidated_mixture::none);
+    result.components.reserve(tree.order().size());
     for(std::size_t i = 0; i < spacings_.size(); ++i)
       if(!moving_.is_outlier[i]) {
         result.merged_into[i] = result.components.size();
@@ -399,7 +400,7 @@ private:
           {moving_.mixture[i].weight, moving_.positions[i], Matrix3::Zero()});
       }
     result.neighbors = result.components.size() == spacings_.size()
-                         ? nearest_
+                         ? std::move(nearest_)
                          : renumbered(nearest_, result.merged_into, tree, concurrency_);
     return result;
   }
@@ -430,7 +431,7 @@ private:
   const Consolidation_options& options_;
   Concurrency concurrency_;
   Box_tree tree_; ///< Over the original mixture.
-  const K_nearest_neighbors& nearest_;
+  K_nearest_neighbors nearest_;
   std::vector<double> spacings_;
   double spacing_; ///< The median.
   Window_radii radii_;
@@ -448,27 +449,24 @@ inline Consolidated_mixture consolidate(const Gaussians& mixture, double cell_si
                                         Concurrency concurrency)
 {
   options.check();
-  const auto measured = [&](const Gaussians& components, const auto& then) {
-    const Box_tree tree(means_of(components), concurrency);
-    const K_nearest_neighbors nearest =
-      k_nearest_neighbors(tree, surface_neighbors + 1, concurrency);
-    Consolidation consolidation(components, tree, nearest, options, concurrency);
-    return then(consolidation, options.resolution * consolidation.measure());
-  };
-  return measured(mixture, [&](Consolidation& fine, double coarser) {
+  double coarser = 0;
+  { // what was measured is forgotten before the coarser one
+    Consolidation fine(mixture, options, concurrency);
+    coarser = options.resolution * fine.measure();
     // Cells that are hardly wider would only move the borders between the components.
     constexpr double worthwhile = 1.2;
     if(!(cell_size > 0 && coarser > worthwhile * cell_size))
       return fine.run(cell_size);
-    const Merged_gaussians merged = merged_by_cell(mixture, coarser);
-    Consolidated_mixture result = measured(
-      merged.gaussians, [&](Consolidation& coarse, double) { return coarse.run(coarser); });
-    std::vector<std::size_t> merged_into;
-    for(std::size_t i : merged.merged_into)
-      merged_into.push_back(result.merged_into[i]);
-    result.merged_into = std::move(merged_into);
-    return result;
-  });
+  }
+  const Merged_gaussians merged = merged_by_cell(mixture, coarser);
+  Consolidation coarse(merged.gaussians, options, concurrency);
+  coarse.measure();
+  Consolidated_mixture result = coarse.run(coarser);
+  std::vector<std::size_t> merged_into;
+  for(std::size_t i : merged.merged_into)
+    merged_into.push_back(result.merged_into[i]);
+  result.merged_into = std::move(merged_into);
+  return result;
 }
 
 } // namespace internal

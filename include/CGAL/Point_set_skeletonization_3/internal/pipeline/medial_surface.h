@@ -9,6 +9,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/medial_samples.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/K_nearest_neighbors.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_groups.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/contract_patches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/estimate_patches.h>
@@ -36,6 +38,18 @@ struct Medial_surface_options
   Medial_options samples;
 };
 
+/// Part 2b: returns the surface of a consolidated mixture, whose neighbours are forgotten on the
+/// way: here memory is greatest. O(n log n). \pre there is a component
+inline Surface surface_of(Consolidated_mixture& consolidated, const Surface_options& options,
+                          Concurrency concurrency)
+{
+  const Gaussians& components = consolidated.components;
+  const Patch_groups flat = flat_groups(components, consolidated.cell_size, options.flatness);
+  const Patches fine = estimate_patches(components, consolidated.neighbors, options, concurrency);
+  consolidated.neighbors = K_nearest_neighbors();
+  return build_surface(components, fine, connected_groups(flat, fine), options, concurrency);
+}
+
 /// Stage 2: returns the denoised surface of mixture components and its medial samples. `cell_size`
 /// is the edge length of the grid cells of the components, 0 without a grid. O(n log n). \pre there
 /// is a component
@@ -46,13 +60,7 @@ inline Medial_surface medial_surface(const Gaussians& components, double cell_si
   Consolidated_mixture consolidated =
     consolidate(components, cell_size, options.consolidation, concurrency);
   progress(0.4);
-  const Gaussians& components_left = consolidated.components;
-  const Patches fine =
-    estimate_patches(components_left, consolidated.neighbors, options.surface, concurrency);
-  const Patch_groups flat =
-    flat_groups(components_left, consolidated.cell_size, options.surface.flatness);
-  Surface surface = build_surface(components_left, fine, connected_groups(flat, fine),
-                                  options.surface, concurrency);
+  Surface surface = surface_of(consolidated, options.surface, concurrency);
   progress(0.7);
   Samples samples = medial_samples(surface, options.samples, concurrency);
   progress(1);

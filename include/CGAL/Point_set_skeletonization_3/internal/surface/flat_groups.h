@@ -63,6 +63,7 @@ public:
       origin_ = origin_.cwiseMin(g.mean);
     // The corner of a cell of the grid, at any level.
     origin_ = cell_size_ * ((origin_ / cell_size_).array().floor() - 1);
+    order_.reserve(gaussians.size());
     for(std::size_t i = 0; i < gaussians.size(); ++i)
       order_.emplace_back(morton_code(place_of(gaussians[i].mean)), i);
     std::sort(order_.begin(), order_.end());
@@ -112,6 +113,7 @@ private:
   std::vector<Cell> finest_cells() const
   {
     std::vector<Cell> cells;
+    cells.reserve(order_.size()); // hardly more: nearly every component has a cell
     for(std::size_t k = 0; k < order_.size(); ++k) {
       const Gaussian& g = gaussians_[order_[k].second];
       if(cells.empty() || cells.back().code != order_[k].first) {
