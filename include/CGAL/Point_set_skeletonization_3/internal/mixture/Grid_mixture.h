@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -147,24 +148,39 @@ inline Grid_level coarser_level(const Cubic_grid& grid, const Moment_cells& cell
 /// Greatest number of parts of a cloud that threads add up: work for eight.
 constexpr std::size_t most_cloud_parts = 8;
 
-/// The cell index of each point, in chunks whose memory can be returned to the system one after the
-/// other; the heap might keep it.
+/// The cell index of each point, of two bytes if that is enough, in chunks whose memory can be
+/// returned to the system one after the other; the heap might keep it.
 class Cells_of_points
 {
 public:
   Cells_of_points() = default;
 
-  explicit Cells_of_points(std::size_t size) : size_(size)
+  /// For indices up to `greatest`.
+  Cells_of_points(std::size_t size, std::size_t greatest)
+    : size_(size),
+      are_small_(greatest <= (std::numeric_limits<std::uint16_t>::max)())
   {
+    const std::size_t bytes = are_small_ ? sizeof(std::uint16_t) : sizeof(std::uint32_t);
     for(std::size_t first = 0; first < size; first += chunk_size)
       chunks_.push_back(boost::interprocess::anonymous_shared_memory(
-        sizeof(std::uint32_t) * (std::min)(chunk_size, size - first)));
+        bytes * (std::min)(chunk_size, size - first)));
   }
 
   std::size_t size() const { return size_; }
 
-  std::uint32_t& operator[](std::size_t p) { return chunk_of(p)[p % chunk_size]; }
-  std::uint32_t operator[](std::size_t p) const { return chunk_of(p)[p % chunk_size]; }
+  std::size_t operator[](std::size_t p) const
+  {
+    return are_small_ ? place_of<std::uint16_t>(p) : place_of<std::uint32_t>(p);
+  }
+
+  /// May be called concurrently for different points.
+  void set(std::size_t p, std::size_t cell)
+  {
+    if(are_small_)
+      place_of<std::uint16_t>(p) = static_cast<std::uint16_t>(cell);
+    else
+      place_of<std::uint32_t>(p) = static_cast<std::uint32_t>(cell);
+  }
 
   /// Returns the memory of points below `end`, which must not be accessed any more.
   void forget_below(std::size_t end)
@@ -176,12 +192,14 @@ public:
 private:
   static constexpr std::size_t chunk_size = 1 << 20;
 
-  std::uint32_t* chunk_of(std::size_t p) const
+  template <typename Index>
+  Index& place_of(std::size_t p) const
   {
-    return static_cast<std::uint32_t*>(chunks_[p / chunk_size].get_address());
+    return static_cast<Index*>(chunks_[p / chunk_size].get_address())[p % chunk_size];
   }
 
   std::size_t size_ = 0;
+  bool are_small_ = false;
   std::vector<boost::interprocess::mapped_region> chunks_;
 };
 
@@ -196,10 +214,10 @@ inline Cells_of_points add_points(const Normalized_points& points, Grid_level& l
       ? 0
       : (std::min)(most_cloud_parts - 1, points.bulk_size() / (worth_a_part * level.cells.size()));
   std::vector<std::vector<Exact_moments>> parts(more_parts); // beside the level itself
-  Cells_of_points cell_of_point(points.size());
+  Cells_of_points cell_of_point(points.size(), level.cells.size());
   if(points.number_of_far > 0)
     for(std::size_t i = 0; i < points.size(); ++i)
-      cell_of_point[i] = static_cast<std::uint32_t>(level.cells.size());
+      cell_of_point.set(i, level.cells.size());
   const Cell_of_point cell_of(level.grid);
   for(std::vector<Exact_moments>& part : parts)
     part.resize(level.cells.size());
@@ -212,7 +230,7 @@ inline Cells_of_points add_points(const Normalized_points& points, Grid_level& l
         parts[k][number].add(place);
       else
         level.cells.add(number, place);
-      cell_of_point[i] = static_cast<std::uint32_t>(number);
+      cell_of_point.set(i, number);
     },
     concurrency, progress);
   for(const std::vector<Exact_moments>& part : parts)
