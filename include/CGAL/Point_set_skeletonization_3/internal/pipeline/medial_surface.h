@@ -44,7 +44,8 @@ inline Surface surface_of(Consolidated_mixture& consolidated, const Surface_opti
                           Concurrency concurrency)
 {
   const Gaussians& components = consolidated.components;
-  const Patch_groups flat = flat_groups(components, consolidated.cell_size, options.flatness);
+  const Patch_groups flat =
+    flat_groups(components, consolidated.cell_size, options.flatness, concurrency);
   const Patches fine = estimate_patches(components, consolidated.neighbors, options, concurrency);
   consolidated.neighbors = K_nearest_neighbors();
   return build_surface(components, fine, connected_groups(flat, fine), options, concurrency);

@@ -6,7 +6,9 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Moments.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/principal_axes.h>
+#include <CGAL/Point_set_skeletonization_3/internal/mixture/Cell_map.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_groups.h>
 
 #include <algorithm>
@@ -54,8 +56,9 @@ class Flat_merging
 {
 public:
   /// `cell_size` is the edge length of the finest cells. O(n log n).
-  Flat_merging(const Gaussians& gaussians, double cell_size, double flatness)
-    : gaussians_(gaussians), cell_size_(cell_size), flatness_(flatness),
+  Flat_merging(const Gaussians& gaussians, double cell_size, double flatness,
+               Concurrency concurrency)
+    : gaussians_(gaussians), cell_size_(cell_size), flatness_(flatness), concurrency_(concurrency),
       level_of_(gaussians.size(), 0)
   {
     origin_ = gaussians.front().mean;
@@ -113,7 +116,7 @@ private:
   std::vector<Cell> finest_cells() const
   {
     std::vector<Cell> cells;
-    cells.reserve(order_.size()); // hardly more: nearly every component has a cell
+    cells.reserve(order_.size()); // nearly every component has a cell of its own
     for(std::size_t k = 0; k < order_.size(); ++k) {
       const Gaussian& g = gaussians_[order_[k].second];
       if(cells.empty() || cells.back().code != order_[k].first) {
@@ -148,9 +151,15 @@ private:
         parent.moments.add(child.moments,
                            center(child.place, level - 1) - center(parent.place, level));
     }
-    for(Cell& parent : parents)
-      parent.is_whole =
-        parent.is_complete && is_flat(parent, level) && may_be_whole_beside(parents, parent.place);
+    Cell_map<char> incomplete; // none at the first level, where cells are many
+    for(const Cell& parent : parents)
+      if(!parent.is_complete)
+        incomplete[parent.code] = true;
+    parallel_for(concurrency_, parents.size(), [&](std::size_t i) {
+      Cell& parent = parents[i];
+      parent.is_whole = parent.is_complete && is_flat(parent, level) &&
+                        (incomplete.size() == 0 || !touches_any(incomplete, parent.place));
+    });
     return parents;
   }
 
@@ -162,20 +171,15 @@ private:
     return principal_axes(covariance).variances[0] < flatness_ * size * size / 12;
   }
 
-  /// Whether all 26 neighbours of a cell, if there are points, are complete.
-  static bool may_be_whole_beside(const std::vector<Cell>& cells, const Octree_place& place)
+  /// Whether one of the 26 neighbours of a cell is in a table.
+  static bool touches_any(const Cell_map<char>& codes, const Octree_place& place)
   {
     for(std::uint32_t x = place[0] - 1; x != place[0] + 2; ++x)
       for(std::uint32_t y = place[1] - 1; y != place[1] + 2; ++y)
-        for(std::uint32_t z = place[2] - 1; z != place[2] + 2; ++z) {
-          const std::uint64_t code = morton_code({{x, y, z}});
-          const auto neighbor =
-            std::lower_bound(cells.begin(), cells.end(), code,
-                             [](const Cell& cell, std::uint64_t c) { return cell.code < c; });
-          if(neighbor != cells.end() && neighbor->code == code && !neighbor->is_complete)
-            return false;
-        }
-    return true;
+        for(std::uint32_t z = place[2] - 1; z != place[2] + 2; ++z)
+          if(codes.find(morton_code({{x, y, z}})))
+            return true;
+    return false;
   }
 
   /// The components of the largest cells that are whole.
@@ -196,6 +200,7 @@ private:
   const Gaussians& gaussians_;
   double cell_size_;
   double flatness_;
+  Concurrency concurrency_;
   Vector3 origin_;
   std::vector<std::pair<std::uint64_t, std::size_t>> order_; ///< Components in Morton order.
   std::vector<int> level_of_; ///< Level of the whole cell of a component, in Morton order.
@@ -204,12 +209,13 @@ private:
 /// Returns groups of components that are flat together, see `Flat_merging`: each one is alone if
 /// `cell_size` is 0 or too small for an octree. `flatness` is the greatest variance across a patch
 /// relative to that of a cell filled with points. O(n log n). \pre there is a component
-inline Patch_groups flat_groups(const Gaussians& gaussians, double cell_size, double flatness)
+inline Patch_groups flat_groups(const Gaussians& gaussians, double cell_size, double flatness,
+                                Concurrency concurrency = Concurrency::sequential)
 {
   constexpr double least_cell_size = 1.0 / (1 << (octree_bits - 2)); // bounding box diagonals
   if(!(cell_size > least_cell_size))
     return Patch_groups(gaussians.size());
-  return Flat_merging(gaussians, cell_size, flatness).run();
+  return Flat_merging(gaussians, cell_size, flatness, concurrency).run();
 }
 
 } // namespace internal
