@@ -32,6 +32,7 @@ inline CGAL::Point_set_skeletonization_3::internal::Surface surface_of(const Pat
           internal::Winding_number(patches, tree, internal::Concurrency::sequential),
           internal::Visible_surface(patches, confidence, tree),
           means,
+          tree,
           internal::Patch_groups(patches.size())};
 }
 

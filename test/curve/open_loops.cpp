@@ -78,7 +78,7 @@ double evidence_near(const Vector3& place, double reach, const Patches& patches,
     if((patches[i].mean - place).norm() < reach)
       members.push_back(i);
   REQUIRE(members.size() > 2);
-  return Limb_evidence(surface, samples, Concurrency::sequential)(
+  return Limb_evidence(surface, samples)(
     middle(members, patches, samples), members);
 }
 

@@ -102,6 +102,7 @@ struct Consolidated_mixture
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
   Gaussians components;
+  Box_tree tree; ///< Over the means of the components.
   std::vector<std::size_t> merged_into; ///< For each component before; `none` for outliers.
   double noise = 0;              ///< Strength of the noise removed, in [0, 1].
   double cell_size = 0;          ///< Edge length of the cells of the components; 0: no cells.
@@ -393,6 +394,7 @@ private:
     result.cell_size = cell_size;
     result.merged_into.assign(spacings_.size(), Consolidated_mixture::none);
     result.components.reserve(tree.order().size());
+    result.tree = tree;
     for(std::size_t i = 0; i < spacings_.size(); ++i)
       if(!moving_.is_outlier[i]) {
         result.merged_into[i] = result.components.size();
@@ -423,8 +425,8 @@ private:
     result.merged_into.assign(spacings_.size(), Consolidated_mixture::none);
     for(std::size_t k = 0; k < left.size(); ++k)
       result.merged_into[left[k]] = merged.merged_into[k];
-    const Box_tree tree(means_of(result.components), concurrency_);
-    result.neighbors = k_nearest_neighbors(tree, surface_neighbors + 1, concurrency_);
+    result.tree = Box_tree(means_of(result.components), concurrency_);
+    result.neighbors = k_nearest_neighbors(result.tree, surface_neighbors + 1, concurrency_);
     return result;
   }
 

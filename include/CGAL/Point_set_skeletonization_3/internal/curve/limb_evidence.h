@@ -27,9 +27,9 @@ namespace internal {
 class Limb_evidence
 {
 public:
-  /// Refers to surface and samples. O(n log n).
-  Limb_evidence(const Surface& surface, const Samples& samples, Concurrency concurrency)
-    : surface_(surface), samples_(samples), components_(surface.components, concurrency)
+  /// Refers to both arguments. O(1).
+  Limb_evidence(const Surface& surface, const Samples& samples)
+    : surface_(surface), samples_(samples)
   {}
 
   /// The evidence for a limb at a vertex in the middle of some patches; 0 if there are none.
@@ -78,8 +78,9 @@ private:
     Vector3 sum = Vector3::Zero();
     Matrix3 products = Matrix3::Zero();
     double number = 0;
-    components_.visit_within(place, around * half_width, [&](std::size_t k, double) {
-      const Vector3 offset = surface_.components[components_.order()[k]] - place;
+    const Box_tree& components = surface_.component_tree;
+    components.visit_within(place, around * half_width, [&](std::size_t k, double) {
+      const Vector3 offset = components.positions()[k] - place;
       sum += offset;
       products += offset * offset.transpose();
       ++number;
@@ -93,14 +94,13 @@ private:
 
   const Surface& surface_;
   const Samples& samples_;
-  Box_tree components_;
 };
 
 /// Sets the evidence for a limb at each vertex of a quotient. O(n log n) in practice.
 inline void set_evidence(Surface_quotient& quotient, const Surface& surface,
                          const Samples& samples, Concurrency concurrency)
 {
-  const Limb_evidence evidence(surface, samples, concurrency);
+  const Limb_evidence evidence(surface, samples);
   parallel_for(concurrency, quotient.members.size(), [&](std::size_t v) {
     Skeleton_graph::Vertex& vertex = quotient.graph.vertices[v];
     vertex.evidence = evidence(vertex, quotient.members[v]);

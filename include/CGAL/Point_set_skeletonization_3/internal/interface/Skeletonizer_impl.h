@@ -259,12 +259,12 @@ void Skeletonizer::set_samples(const Plain_samples& plain)
       consolidated.components.push_back(measured.back());
     }
   }
+  consolidated.tree = Box_tree(means_of(consolidated.components), state.concurrency);
   consolidated.neighbors =
-    k_nearest_neighbors(Box_tree(means_of(consolidated.components), state.concurrency),
-                        surface_neighbors + 1, state.concurrency);
+    k_nearest_neighbors(consolidated.tree, surface_neighbors + 1, state.concurrency);
   const Surface_options& options = state.options.medial.surface;
   Surface surface =
-    build_surface(consolidated.components,
+    build_surface(consolidated.components, consolidated.tree,
                   estimate_patches(consolidated.components, consolidated.neighbors, options,
                                    state.concurrency),
                   Patch_groups(std::move(patch_of_component), samples.size()), options,

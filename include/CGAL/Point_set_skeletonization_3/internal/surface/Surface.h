@@ -36,13 +36,15 @@ struct Surface
 
   // The components of the mixture that the patches are made of.
   std::vector<Vector3> components; ///< Their positions.
+  Box_tree component_tree;         ///< Over these.
   Patch_groups groups;             ///< The components of each patch.
 };
 
-/// Part 2b: returns the oriented surface of a mixture. `fine` are the patches of the components,
-/// from `estimate_patches()`; those of a group become one patch. O(n log n).
-/// \pre there is a component, and no group is empty
-inline Surface build_surface(const Gaussians& components, const Patches& fine, Patch_groups groups,
+/// Part 2b: returns the oriented surface of a mixture. `component_tree` is over its means, `fine`
+/// are the patches of its components, from `estimate_patches()`; those of a group become one patch.
+/// O(n log n). \pre there is a component, and no group is empty
+inline Surface build_surface(const Gaussians& components, const Box_tree& component_tree,
+                             const Patches& fine, Patch_groups groups,
                              const Surface_options& options, Concurrency concurrency)
 {
   options.check();
@@ -62,6 +64,7 @@ inline Surface build_surface(const Gaussians& components, const Patches& fine, P
           std::move(winding_number),
           std::move(visible),
           means_of(components),
+          component_tree,
           std::move(groups)};
 }
 
