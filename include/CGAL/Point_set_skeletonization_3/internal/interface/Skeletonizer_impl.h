@@ -51,7 +51,7 @@ struct Skeletonizer::State
   void set_mixture(Grid_mixture grid)
   {
     for(const Grid_level& level : grid.levels)
-      mixture.push_back(level.gaussians());
+      mixture.push_back(level.gaussians(concurrency));
     if(!grid.levels.empty())
       cell_size = grid.levels.front().grid.cell_size();
     cell_of_point = std::move(grid.cell_of_point);

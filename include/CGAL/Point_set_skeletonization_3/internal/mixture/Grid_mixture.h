@@ -84,12 +84,11 @@ struct Grid_level
   Moment_cells cells;
 
   /// One Gaussian per cell, in normalised coordinates. O(cells).
-  Gaussians gaussians() const
+  Gaussians gaussians(Concurrency concurrency = Concurrency::sequential) const
   {
-    Gaussians result;
-    result.reserve(cells.size());
-    for(const Exact_moments& moments : cells.moments())
-      result.push_back(moments.gaussian());
+    Gaussians result(cells.size());
+    parallel_for(concurrency, result.size(),
+                 [&](std::size_t i) { result[i] = cells.moments()[i].gaussian(); });
     return result;
   }
 };
