@@ -89,11 +89,18 @@ inline std::vector<Limb_network> read_limbs(const Surface& surface, const Sample
   const auto read = [&](const Ball_overlaps& known, Limb_reading reading) {
     return limb_network(surface, samples, known, candidates, reading, options, concurrency);
   };
-  std::vector<Limb_network> result = {
-    read(overlaps, is_tree ? Limb_reading::known_tree : Limb_reading::frame)};
-  progress(0.8);
-  if(!is_tree && overlaps.has_unknown() && number_of_tips(result.front().pruned.graph) > 0)
-    result.push_back(read(overlaps.with_unknown(as_tree), Limb_reading::tree));
+  if(is_tree || !overlaps.has_unknown())
+    return {read(overlaps, is_tree ? Limb_reading::known_tree : Limb_reading::frame)};
+  std::vector<Limb_network> result(2);
+  const auto has_tips = [&] { return number_of_tips(result[0].pruned.graph) > 0; };
+  parallel_invoke(
+    concurrency, [&] { result[0] = read(overlaps, Limb_reading::frame); },
+    [&] {
+      if(concurrency == Concurrency::parallel || has_tips()) // a second thread has nothing to lose
+        result[1] = read(overlaps.with_unknown(as_tree), Limb_reading::tree);
+    });
+  if(!has_tips())
+    result.pop_back();
   progress(1);
   return result;
 }

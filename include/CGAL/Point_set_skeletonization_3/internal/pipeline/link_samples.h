@@ -32,20 +32,18 @@ struct Linked_samples
   std::vector<std::size_t> vertex_of_sample; ///< `none` for outliers.
 };
 
-/// Returns the curve of a network of limbs, connected over gaps, but not centred yet. Refers to all
-/// arguments but the network. O(n log n). \param is_frame see `Curve_fitting::connect()`
-inline Curve_fitting connected_curve(const Limb_network& network, bool is_frame,
-                                     const Surface& surface, const Samples& samples, double noise,
-                                     const std::vector<Surface_point>& points,
-                                     const Linking_options& options, Concurrency concurrency)
+/// Returns the curve of a network of limbs, as it is to be connected and centred. Refers to all
+/// arguments but the network. O(n).
+inline Curve_fitting curve_of(const Limb_network& network, const Surface& surface,
+                              const Samples& samples, double noise,
+                              const std::vector<Surface_point>& points,
+                              const Linking_options& options, Concurrency concurrency)
 {
   std::vector<bool> is_outlier;
   for(std::size_t v : network.quotient.vertex_of_patch)
     is_outlier.push_back(network.pruned.is_stray[v]);
-  Curve_fitting result(network.pruned.graph, std::move(is_outlier), surface, samples, points, noise,
-                       options.curve, concurrency);
-  result.connect(is_frame, options.known.single_component);
-  return result;
+  return {network.pruned.graph, std::move(is_outlier), surface,     samples, points, noise,
+          options.curve,        concurrency};
 }
 
 /// Stage 3: returns the curve skeleton of samples. O(n log n) in practice.
@@ -68,10 +66,16 @@ inline Linked_samples link_samples(const Surface& surface, const Samples& sample
     read_limbs(surface, samples, options, concurrency, progress.part(0, 0.7));
   std::vector<Curve_fitting> curves;
   for(const Limb_network& reading : readings)
-    curves.push_back(connected_curve(reading, readings.size() > 1 && curves.empty(), surface,
-                                     samples, noise, points, options, concurrency));
+    curves.push_back(curve_of(reading, surface, samples, noise, points, options, concurrency));
   Curve_fitting& frame = curves.front();
   Curve_fitting& tree = curves.back();
+  const bool single_component = options.known.single_component;
+  if(curves.size() == 1)
+    tree.connect(false, single_component);
+  else
+    parallel_invoke(
+      concurrency, [&] { frame.connect(true, single_component); },
+      [&] { tree.connect(false, single_component); });
   const bool is_frame = number_of_tips(frame.graph()) + number_of_loops(tree.graph()) <=
                         number_of_loops(frame.graph());
   Curve_fitting& curve = is_frame ? frame : tree;
