@@ -7,6 +7,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Moments.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Per_thread.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/principal_axes.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/K_nearest_neighbors.h>
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
@@ -76,7 +78,7 @@ inline Patches estimate_patches(const Gaussians& gaussians, const K_nearest_neig
   });
 
   parallel_for(concurrency, patches.size(), [&](std::size_t i) {
-    patches[i].neighbors.reserve(2 * nearest[i].size()); // rarely more are added below
+    patches[i].neighbors.reserve(nearest[i].size());
     for(const auto& neighbor : nearest[i]) {
       const std::size_t j = neighbor.index;
       const double reach =
@@ -92,16 +94,18 @@ inline Patches estimate_patches(const Gaussians& gaussians, const K_nearest_neig
     for(std::size_t j : patch.neighbors)
       ++end[j + 1];
   std::partial_sum(end.begin(), end.end(), end.begin());
-  std::vector<std::size_t> back(end.back());
+  std::vector<std::uint32_t> back(end.back()); // here memory is greatest: small
   for(std::size_t i = 0; i < patches.size(); ++i) // afterwards end[j] is the end of the list of j
     for(std::size_t j : patches[i].neighbors)
-      back[end[j]++] = i;
+      back[end[j]++] = static_cast<std::uint32_t>(i);
+  Per_thread<std::vector<std::size_t>> buffers(concurrency,
+                                               [] { return std::vector<std::size_t>(); });
   parallel_for(concurrency, patches.size(), [&](std::size_t i) {
-    std::vector<std::size_t>& neighbors = patches[i].neighbors;
-    const std::size_t begin = i == 0 ? 0 : end[i - 1];
-    neighbors.insert(neighbors.end(), back.data() + begin, back.data() + end[i]);
-    std::sort(neighbors.begin(), neighbors.end());
-    neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+    std::vector<std::size_t>& both = buffers.local();
+    both = patches[i].neighbors;
+    both.insert(both.end(), back.data() + (i == 0 ? 0 : end[i - 1]), back.data() + end[i]);
+    std::sort(both.begin(), both.end());
+    patches[i].neighbors.assign(both.begin(), std::unique(both.begin(), both.end()));
   });
   return patches;
 }
