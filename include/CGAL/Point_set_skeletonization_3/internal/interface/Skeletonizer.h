@@ -87,7 +87,8 @@ public:
   /// Fills the list of points of each vertex. O(points). \pre `link()` is done
   void fill_point_indices(const Index_lists& lists) const;
 
-  /// The same, and returns the memory of the points to the system on the way.
+  /// The same. Forgets mixture and samples before, and returns the memory of the points to the
+  /// system on the way.
   void fill_point_indices_and_forget(const Index_lists& lists);
 
   /// Fills the list of samples of each vertex. O(samples). \pre `link()` is done

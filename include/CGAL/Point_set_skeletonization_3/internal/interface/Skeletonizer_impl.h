@@ -366,6 +366,8 @@ void Skeletonizer::fill_point_indices(const Index_lists& lists) const
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
 void Skeletonizer::fill_point_indices_and_forget(const Index_lists& lists)
 {
+  state_->mixture.clear();
+  state_->medial.reset();
   state_->fill_point_indices(
     lists, [this](std::size_t end) { state_->cell_of_point.forget_below(end); });
 }
