@@ -379,8 +379,8 @@ PYBIND11_MODULE(_core, module)
            "length.")
       .def("save", &Skeleton::save, "filename"_a, "roots"_a = Roots(),
            "Writes a file in the format that its ending chooses: .polylines.txt, .obj, .ply, .vtp, "
-           ".graphml, .swc, .dxf, .csv (cylinders) or .off (tubes). Raises RuntimeError if that "
-           "fails.")
+           ".graphml, .swc, .dxf, .csv (cylinders), .off or .tubes.ply (tubes). Raises RuntimeError "
+           "if that fails.")
       .def("__repr__", [](const Skeleton& s) {
         return "<Skeleton of " + std::to_string(num_vertices(s.graph)) + " vertices and " +
                std::to_string(num_edges(s.graph)) + " edges>";
