@@ -94,9 +94,12 @@ printf "ply\nformat ascii 1.0\n${ply}end_header\n0 0 0\n1 0 nan\n1 1 0\n0 1 0\n"
 printf "OFF\n4 1 0\n${vertices}3 0 1 7\n" > index.off
 printf "ply\nformat ascii 1.0\n${ply}element face 1\nproperty list uchar int vertex_indices\n" > index.ply
 printf "end_header\n${vertices}3 0 1 7\n" >> index.ply
+printf 'x y z\n1 0 0 0\n2 0 0 1\n' > row_names.txt # the first column of a row is not x
 sed 's/ x/ u/' mesh.ply > no_x.ply
 refuses "'nan.xyz': line 3" nan.xyz
 refuses "'intensity.xyz': line 2 is neither" intensity.xyz
+refuses "'row_names.txt': line 2 is neither a comment nor a row with as many columns as line 1" \
+  row_names.txt
 refuses "'infinite.off': line 4" infinite.off
 refuses "'letter.off': line 5" letter.off
 refuses "'nan.ply': point 1 is not finite" nan.ply

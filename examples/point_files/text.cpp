@@ -71,7 +71,7 @@ public:
     return true;
   }
 
-  // Whether the fields are a row; the first row tells how many there are.
+  // Whether the fields are a row; the header or the first row tells how many there are.
   bool take_row(const Fields& fields, std::array<double, 3>& point)
   {
     if(size_ != 0 ? fields.size() != size_ : fields.size() < 3)
@@ -98,13 +98,14 @@ private:
   std::size_t size_ = 0; // of a row; 0: not known yet
 };
 
-std::string complaint(const Input& input, std::size_t line_of_first_row)
+// `model` is the number of the line, a header or a row, that tells how many columns there are; 0 if
+// there was none yet.
+std::string complaint(const Input& input, std::size_t model)
 {
   return input.line() + " is neither " +
-         (line_of_first_row == 0
+         (model == 0
               ? std::string("a row of at least three numbers nor a header that names x, y and z")
-              : "a comment nor a row with as many columns as line " +
-                    std::to_string(line_of_first_row)) +
+              : "a comment nor a row with as many columns as line " + std::to_string(model)) +
          "; --skip-invalid leaves such lines out";
 }
 
@@ -126,14 +127,14 @@ void read_text(Input& input, Rows& rows)
   Row_format format(line);
   Fields fields;
   std::array<double, 3> point;
-  std::size_t line_of_first_row = 0;
+  std::size_t model = 0; // line that tells how many columns there are
   std::uint64_t announced = 0; // .pts: every scan begins with the number of its points
   const auto take = [&] {
     format.split(line, fields);
     std::uint64_t count = 0;
     if(rows.number_of_rows() == announced && fields.size() == 1 && to_integer(line, count)) {
       announced = count > Input::unknown - announced ? Input::unknown : announced + count;
-      if(line_of_first_row == 0 && next()) { // may be separated otherwise
+      if(model == 0 && next()) { // may be separated otherwise
         format = Row_format(line);
         format.split(line, fields);
       }
@@ -142,11 +143,13 @@ void read_text(Input& input, Rows& rows)
     }
     if(format.take_row(fields, point)) {
       rows.add_point(point[0], point[1], point[2]);
-      if(line_of_first_row == 0)
-        line_of_first_row = input.line_number();
+      if(model == 0)
+        model = input.line_number();
     }
-    else if(line_of_first_row != 0 || !format.take_header(fields))
-      rows.add_invalid(complaint(input, line_of_first_row));
+    else if(model == 0 && format.take_header(fields))
+      model = input.line_number();
+    else
+      rows.add_invalid(complaint(input, model));
   };
   do
     take();
