@@ -7,6 +7,6 @@
 #include "read_points.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
 #include <boost/graph/adjacency_list.hpp>

@@ -5,8 +5,8 @@
 
 #include "catch2.h"
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
 #include <Eigen/Dense>
