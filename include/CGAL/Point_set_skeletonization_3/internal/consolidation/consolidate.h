@@ -45,14 +45,6 @@ struct Consolidation_options
   /// windows.
   double sparse = 1.6;
 
-  /// Median spacings, >= 1; a component with a greater spacing is compared with densities up to
-  /// this many times as far away.
-  double apart = 1.5;
-
-  /// Sphericity above which the mean replaces the fitted plane as target. From the middle of the
-  /// transition on, narrower windows are tried.
-  double plane = 0.1;
-
   /// Linearity, in (0, 1), from which on a narrow window shows a thin limb as a line. Twigs of a
   /// few points across look as noise does, but wider windows do not show a plane: they stay as
   /// they are. Of 650 tips in sparse scans 501 were found with 0, 483 with 0.25, 443 with 0.5, 396
@@ -71,9 +63,8 @@ struct Consolidation_options
   void check() const
   {
     noise.check();
-    CGAL_precondition(isolated > 1 && apart >= 1 && sparse > 0);
+    CGAL_precondition(isolated > 1 && sparse > 0);
     CGAL_precondition(thin > 0 && thin < 1);
-    CGAL_precondition(plane >= 0);
     CGAL_precondition(line > 0 && line < 1);
     CGAL_precondition(resolution > 0 && resolution < 1);
     CGAL_precondition(drowned > 0 && drowned < resolved);
@@ -87,8 +78,6 @@ struct Consolidation_options
     visit("isolated", isolated);
     visit("thin", thin);
     visit("sparse", sparse);
-    visit("apart", apart);
-    visit("plane", plane);
     visit("line", line);
     visit("resolution", resolution);
     visit("drowned", drowned);
@@ -208,7 +197,7 @@ private:
         const Local_shape shape = views[size].shape(moving_.positions[i]);
         if(shape.linearity >= options_.line)
           dimension[i] = line;
-        else if(shape.sphericity <= options_.plane)
+        else if(shape.sphericity <= options_.noise.flat())
           dimension[i] = plane;
       });
     }
@@ -278,8 +267,7 @@ private:
                             const Vector3& position) const
   {
     Local_shape shape = views[size].shape(position);
-    const double round = options_.plane + options_.noise.transition / 2;
-    while(size-- > 0 && shape.sphericity > round && drowned(shape) < 0.5) {
+    while(size-- > 0 && shape.sphericity > options_.noise.round && drowned(shape) < 0.5) {
       const Local_shape narrower = views[size].shape(position);
       if(narrower.sphericity > shape.sphericity)
         break;
@@ -303,8 +291,7 @@ private:
       Vector3& position = moving_.positions[i]; // the windows keep the old positions
       const Local_shape shape = shape_through(views, size[i], position);
       densities[i] = shape.density;
-      const double blob = (std::min)(
-          1.0, (std::max)(0.0, (shape.sphericity - options_.plane) / options_.noise.transition));
+      const double blob = options_.noise.roundness(shape.sphericity);
       const Vector3 step = shape.mean - position;
       // Not along a limb, or its components would form clusters.
       const Vector3 across = step - shape.linearity * shape.axis.dot(step) * shape.axis;
@@ -360,11 +347,13 @@ private:
     for(const Box_tree::Node& node : tree.nodes())
       densest.push_back(*std::max_element(at(node.begin), at(node.end)));
     const double thin = options_.thin;
+    // Halfway to being isolated, a component is compared with others as many times farther away.
+    const double halfway = (std::max)(1.0, options_.isolated / 2);
     std::vector<char> drop(spacings_.size(), 0);
     parallel_for(concurrency_, drop.size(), [&](std::size_t i) {
       if(moving_.is_outlier[i] || is_on_line_[i])
         return;
-      const double apart = spacings_[i] > options_.apart * spacing_ ? options_.apart : 1;
+      const double apart = spacings_[i] > halfway * spacing_ ? halfway : 1;
       const double reach = apart * radii_[noise_.size];
       const Vector3& position = moving_.positions[i];
       const auto may_tell = [&](std::size_t node) {

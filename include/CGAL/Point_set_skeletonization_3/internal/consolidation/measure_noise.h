@@ -29,18 +29,24 @@ struct Noise_options
   /// and more.
   double least_scatter = 0.03;
 
-  /// The same for the sphericity in the narrowest window: noise that fills a volume evenly has no
-  /// scatter, but is nowhere flat.
-  double least_sphericity = 0.3;
+  /// Sphericity, > 0, halfway between a plane and a ball of points: up to half of it a window shows
+  /// a plane, from one and a half times it on it shows none. Components move, too, if the narrowest
+  /// windows show no plane: noise that fills a volume evenly has no scatter, but is nowhere flat.
+  double round = 0.2;
 
-  /// Difference of sphericity over which a decision that depends on it fades from no to yes, > 0.
-  double transition = 0.2;
+  /// Greatest sphericity of a plane.
+  double flat() const { return round / 2; }
+
+  /// 0 for the sphericity of a plane, 1 where a window shows none.
+  double roundness(double sphericity) const
+  {
+    return (std::min)(1.0, (std::max)(0.0, (sphericity - flat()) / round));
+  }
 
   /// Checks all ranges.
   void check() const
   {
-    CGAL_precondition(least_scatter > 0);
-    CGAL_precondition(least_sphericity > 0 && transition > 0);
+    CGAL_precondition(least_scatter > 0 && round > 0);
   }
 
   /// Calls `visit(name, value)` for every option.
@@ -48,8 +54,7 @@ struct Noise_options
   void visit(const Visit& visit)
   {
     visit("least_scatter", least_scatter);
-    visit("least_sphericity", least_sphericity);
-    visit("transition", transition);
+    visit("round", round);
   }
 };
 
@@ -149,9 +154,10 @@ inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
       for(const Local_shape& shape : shapes)
         result.densities.push_back(shape.density);
       const double scattered = scatter(shapes, moving, nearest, radii[0], concurrency);
+      const double least_round = options.flat() + options.round;
       result.strength = (std::min)(
         1.0, (std::max)({0.0, (scattered - options.least_scatter) / options.least_scatter,
-                       (sphericity - options.least_sphericity) / options.transition}));
+                       (sphericity - least_round) / options.round}));
     }
     const double odds = sphericity / (std::max)(1 - sphericity, least);
     const double least_fall = odds < 1 ? Window_radii::ratio : 1;
