@@ -59,10 +59,11 @@ struct Limb
 {
   Skeleton_graph graph;
   std::vector<std::vector<Vector3>> surface;
+  std::vector<double> distances; // what centring returns
 
   void centre()
   {
-    centre_curve(graph, surface, anywhere, options, Concurrency::sequential);
+    distances = centre_curve(graph, surface, anywhere, options, Concurrency::sequential);
   }
 };
 
@@ -339,17 +340,17 @@ TEST_CASE("An open limb of which hardly half was seen is centred on its points")
     for(Limb* limb : {&strip, &arc})
       for(auto& vertex : limb->graph.vertices)
         vertex.open = 1;
-    for(int i = 0; i < static_cast<int>(2 * length / (spacing * spacing)); ++i)
+    for(int i = 0; i < static_cast<int>(10 * length / (spacing * spacing)); ++i)
       add(strip, Vector3(random.uniform(-1, 1), 0, random.uniform(0, length)));
     strip.centre();
     CHECK(mean_distance(strip, from_z_axis) < 0.1);
-    CHECK(strip.graph.vertices[strip.graph.vertices.size() / 2].radius ==
-          Approx(0.5).margin(0.15)); // the median distance from the middle
+    CHECK(strip.distances[strip.distances.size() / 2] == Approx(0.5).margin(0.15));
 
     Sampling sampling;
     sampling.from = -CGAL_PI / 3;
     sampling.turn = 2 * CGAL_PI / 3;
-    sample_tube(arc, straight, length, sampling, random);
+    for(int copies = 0; copies < 4; ++copies)
+      sample_tube(arc, straight, length, sampling, random);
     arc.centre();
     // Not on the axis of the tube, where nothing was seen.
     CHECK(mean_distance(arc, [](const Vector3& p) { return (p - Vector3(0.85, 0, p.z())).norm(); }) <

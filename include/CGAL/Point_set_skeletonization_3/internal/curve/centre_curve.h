@@ -72,8 +72,9 @@ public:
       drawn_[v].radius = first_radius(v);
   }
 
-  /// Solves a sparse linear system in each of three rounds, and sets the radii of open limbs.
-  void run()
+  /// Solves a sparse linear system in each of three rounds. Returns the median distance of the
+  /// points of each vertex that is centred on them, 0 for the others.
+  std::vector<double> run()
   {
     constexpr int rounds = 3; // each leaves a tenth of the distance
     for(int round = 0; round < rounds; ++round) {
@@ -86,9 +87,10 @@ public:
       keep_inside(moved);
       move();
     }
-    for(std::size_t v = 0; v < drawn_.size(); ++v)
-      if(is_open(graph_.vertices[v]))
-        graph_.vertices[v].radius = drawn_[v].radius;
+    std::vector<double> distances;
+    for(const Drawn& drawn : drawn_)
+      distances.push_back(drawn.spread);
+    return distances;
   }
 
 private:
@@ -99,8 +101,9 @@ private:
     Vector3 from = Vector3::Constant(std::numeric_limits<double>::infinity());
     Vector3 target = Vector3::Zero();
     double weight = 0;
-    double radius = 0;        ///< Of the limb there.
+    double radius = 0;        ///< Of the limb there, at least the distance of points.
     bool is_centroid = false; ///< Of an area, which contains it.
+    double spread = 0;        ///< Median distance of the points from an L1-median; 0 elsewhere.
   };
 
   /// Radii; a vertex that has moved less keeps its target: a target moves by at most a tenth of the
@@ -131,7 +134,7 @@ private:
   /// The target of a vertex without a cross-section.
   Drawn not_drawn(std::size_t v, double radius) const
   {
-    return {graph_.vertices[v].position, start_[v].position, least_weight, radius, false};
+    return {graph_.vertices[v].position, start_[v].position, least_weight, radius, false, 0};
   }
 
   /// The target of a vertex.
@@ -155,15 +158,16 @@ private:
     const double weight = 1 - section.unknown / half_unknown;
     if(section.area > 0 && weight > least_weight && (!is_open(vertex) || has_area(vertex, weight)))
       return {vertex.position, in_space(section.center), weight,
-              (std::max)(radius, std::sqrt(section.area / CGAL_PI)), true};
+              (std::max)(radius, std::sqrt(section.area / CGAL_PI)), true, 0};
     if(!is_open(vertex) || points.empty())
       return not_drawn(v, radius);
     const Eigen::Vector2d median = l1_median(points, 0.1 * vertex.resolution + least_spacing);
     std::vector<double> distances;
     for(const Eigen::Vector2d& p : points)
       distances.push_back((p - median).norm());
-    return {vertex.position, in_space(median), 1,
-            (std::max)(vertex.resolution, quantile(std::move(distances), 0.5)), false};
+    const double spread = quantile(std::move(distances), 0.5);
+    return {vertex.position, in_space(median), 1, (std::max)(vertex.resolution, spread),
+            false, spread};
   }
 
   /// Whether a cross-section of an open limb has an area: it is a limb, and the gap of its boundary
@@ -334,12 +338,14 @@ private:
 };
 
 /// Centres a skeleton in the cross-sections of its limbs; parameters as for `Curve_centring`. Three
-/// sparse linear systems.
-inline void centre_curve(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
-                         const Curve_centring::Are_inside& inside, const Curve_options& options,
-                         Concurrency concurrency)
+/// sparse linear systems. Returns the median distance of the points of each vertex that is centred
+/// on them, 0 for the others.
+inline std::vector<double> centre_curve(Skeleton_graph& graph,
+                                        const std::vector<std::vector<Vector3>>& surface,
+                                        const Curve_centring::Are_inside& inside,
+                                        const Curve_options& options, Concurrency concurrency)
 {
-  Curve_centring(graph, surface, inside, options, concurrency).run();
+  return Curve_centring(graph, surface, inside, options, concurrency).run();
 }
 
 } // namespace internal

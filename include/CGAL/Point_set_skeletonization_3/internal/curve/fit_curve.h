@@ -92,8 +92,11 @@ public:
   {
     centre_vertices();
     extend();
-    centre_vertices();
-    measure_radii(false);
+    const std::vector<double> distances = centre_vertices();
+    measure_radii();
+    for(std::size_t v = 0; v < distances.size(); ++v)
+      if(distances[v] > 0)
+        graph_.vertices[v].radius = distances[v];
     if(noise_ > 0)
       correct_radii(points_of_vertices());
   }
@@ -125,10 +128,11 @@ private:
     graph_ = without(graph_, vertices);
   }
 
-  void centre_vertices()
+  /// Returns what `centre_curve()` returns.
+  std::vector<double> centre_vertices()
   {
     measure_radii();
-    centre_curve(
+    return centre_curve(
       graph_, points_of_vertices(),
       [this](const std::vector<Vector3>& places) { return are_inside(places); }, options_,
       concurrency_);
@@ -167,13 +171,12 @@ private:
   }
 
   /// Sets the radius of each vertex to the distance of the nearest visible patch, if there is one.
-  /// That of an open limb is better known after centring: the distance of its points.
-  void measure_radii(bool of_open_limbs = true)
+  void measure_radii()
   {
     const std::vector<double> radii =
       surface_.visible.distances(positions_of(graph_), concurrency_);
     for(std::size_t v = 0; v < radii.size(); ++v)
-      if(radii[v] > 0 && (of_open_limbs || !is_open(graph_.vertices[v])))
+      if(radii[v] > 0)
         graph_.vertices[v].radius = radii[v];
   }
 
