@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Separators of a torus and of a tube: rings of patches that regions find, and that paths, closed
-// curves and the balls of patches tell from arcs.
+// curves and the balls of patches tell from arcs; and of sheets: arcs from border to border.
 
 #include "surface_of.h"
 
@@ -25,7 +25,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 using namespace CGAL::Point_set_skeletonization_3::internal;
@@ -46,6 +49,39 @@ Patch_graph graph_of(const Patches& patches)
 Ball_overlaps overlaps_of(const Surface& surface, const Samples& samples, double unknown = 0)
 {
   return Ball_overlaps(surface, samples, unknown, options.overlap, Concurrency::sequential);
+}
+
+// Patches of a flat sheet, on a lattice without some places.
+Patches sheet(int length, int width,
+              const std::function<bool(int, int)>& is_hole = [](int, int) { return false; })
+{
+  std::map<std::pair<int, int>, std::size_t> index;
+  for(int i = 0; i < length; ++i)
+    for(int j = 0; j < width; ++j)
+      if(!is_hole(i, j))
+        index.emplace(std::make_pair(i, j), index.size());
+  Patches patches;
+  for(const auto& entry : index) {
+    const auto [i, j] = entry.first;
+    Patch patch;
+    patch.mean = Vector3(i, j, 0);
+    patch.spacing = patch.weight = patch.area = patch.planarity = 1;
+    for(const auto& beside : {std::make_pair(i - 1, j), std::make_pair(i, j - 1),
+                              std::make_pair(i, j + 1), std::make_pair(i + 1, j)})
+      if(index.count(beside) > 0)
+        patch.neighbors.push_back(index[beside]);
+    patches.push_back(patch);
+  }
+  return patches;
+}
+
+// Samples of patches whose other side was not seen.
+Samples samples_on(const Patches& patches)
+{
+  Samples samples;
+  for(const Patch& patch : patches)
+    samples.push_back({patch.mean, 0});
+  return samples;
 }
 
 // Curves in the solid torus.
@@ -201,7 +237,7 @@ TEST_CASE("Overlap of balls: whole within a limb, none between limbs that touch"
   CHECK(relative_overlap({Vector3(0, 1.6, 0), 1}, ball) == Approx(0.6));
 }
 
-TEST_CASE("In one limb all balls overlap, and an unknown one is what one is told it is")
+TEST_CASE("In one limb all balls overlap, and an unknown one at least as one is told")
 {
   const Surface surface = surface_of(surfaces::tube.patches());
   const Patches& patches = surface.patches;
@@ -215,7 +251,8 @@ TEST_CASE("In one limb all balls overlap, and an unknown one is what one is told
   for(const double unknown : {0.0, 1.0}) {
     const Ball_overlaps nothing = overlaps_of(surface, samples, unknown);
     for(std::size_t k = 0; k < nothing.pairs().size(); ++k)
-      REQUIRE(nothing[k] == unknown);
+      REQUIRE(nothing[k] == (std::max)(unknown, coplanarity(patches[nothing.pairs()[k].a],
+                                                           patches[nothing.pairs()[k].b])));
   }
 }
 
@@ -251,25 +288,84 @@ TEST_CASE("The separator of a region in a tube is a ring around it")
 
 TEST_CASE("A region that meets no limb has no separator")
 {
-  // A flat sheet, whose samples are on it.
-  constexpr int width = 30;
-  Patches patches;
-  for(int i = 0; i < width; ++i)
-    for(int j = 0; j < width; ++j) {
-      Patch patch;
-      patch.mean = Vector3(i, j, 0);
-      patch.spacing = patch.weight = patch.area = patch.planarity = 1;
-      for(int k = 0; k < width * width; ++k)
-        if(std::abs(k / width - i) + std::abs(k % width - j) == 1)
-          patch.neighbors.push_back(static_cast<std::size_t>(k));
-      patches.push_back(patch);
-    }
+  // A flat sheet, whose samples have a radius: they are in a flat solid.
+  const Patches patches = sheet(30, 30);
   Samples samples;
   for(const Patch& patch : patches)
     samples.push_back({patch.mean, 1});
   const Patch_graph graph = graph_of(patches);
   Growing_region region(patches, graph, samples, options);
-  CHECK(region.grow_from(width / 2 * width + width / 2).separator.patches.empty());
+  CHECK(region.grow_from(15 * 30 + 15).separator.patches.empty());
+}
+
+TEST_CASE("A separator of a sheet leads from border to border, however wide it is")
+{
+  for(const int width : {5, 30}) {
+    CAPTURE(width);
+    const int length = 4 * width;
+    const Patches patches = sheet(length, width);
+    const Samples samples = samples_on(patches);
+    const Patch_graph graph = graph_of(patches);
+    Growing_region region(patches, graph, samples, options);
+    const auto middle = static_cast<std::size_t>(length / 2 * width + width / 2);
+    const Local_separator separator = region.grow_from(middle).separator;
+    std::set<std::size_t> rows;
+    for(std::size_t i : separator.patches)
+      rows.insert(i % static_cast<std::size_t>(width));
+    CHECK(rows.size() == static_cast<std::size_t>(width));
+    CHECK(pieces_without(patches, separator.patches) == 2);
+  }
+}
+
+TEST_CASE("A narrow hole of a sheet may be one of the data, a wide one is not")
+{
+  constexpr int length = 60, width = 31;
+  const auto is_chosen = [&](int half_width, bool fills_gaps) {
+    // A hole in the middle, 20 long. From there a separator leads to one border.
+    const Patches patches = sheet(length, width, [&](int i, int j) {
+      return std::abs(i - length / 2) <= 10 && std::abs(j - width / 2) <= half_width;
+    });
+    const Surface surface = surface_of(patches);
+    const Samples samples = samples_on(surface.patches);
+    Local_separator separator;
+    for(std::size_t i = 0; i < patches.size(); ++i) {
+      const Vector3& p = patches[i].mean;
+      if(p.y() >= width / 2 || std::abs(p.x() - length / 2) > 1)
+        continue;
+      if(p.x() == length / 2) {
+        separator.patches.push_back(i);
+        separator.length += 1;
+      } else
+        separator.sides[p.x() < length / 2 ? 0 : 1].push_back(i);
+    }
+    return !choose_separators({separator}, surface, samples, graph_of(patches), fills_gaps, options,
+                              Concurrency::sequential)
+              .empty();
+  };
+  CHECK(is_chosen(1, false));
+  CHECK(!is_chosen(1, true));
+  CHECK(is_chosen(14, true)); // one patch to the border
+}
+
+TEST_CASE("Coplanar patches without balls overlap, others do not")
+{
+  Patches patches = sheet(2, 3);
+  const auto number_in_one_limb = [&] {
+    const Surface surface = surface_of(patches);
+    const Ball_overlaps overlaps = overlaps_of(surface, samples_on(patches));
+    CHECK(overlaps.has_unknown());
+    std::size_t result = 0;
+    for(std::size_t k = 0; k < overlaps.pairs().size(); ++k)
+      result += overlaps.are_in_one_limb(k) ? 1 : 0;
+    return result;
+  };
+  CHECK(number_in_one_limb() == 7);
+  for(std::size_t i : {0, 1, 2})
+    patches[i].normal = Vector3::UnitX(); // folded
+  CHECK(number_in_one_limb() == 4);
+  for(Patch& patch : patches)
+    patch.planarity = 0.5; // scattered
+  CHECK(number_in_one_limb() == 0);
 }
 
 TEST_CASE("A ring around a limb is chosen, an arc of it is not")
@@ -278,7 +374,8 @@ TEST_CASE("A ring around a limb is chosen, an arc of it is not")
   const Samples samples = surfaces::samples_of(surface.patches);
   const Patch_graph graph = graph_of(surface.patches);
   const auto number_chosen = [&](const std::vector<Local_separator>& candidates) {
-    return choose_separators(candidates, surface, samples, graph, options, Concurrency::sequential)
+    return choose_separators(candidates, surface, samples, graph, false, options,
+                             Concurrency::sequential)
       .size();
   };
   CHECK(number_chosen({surfaces::torus.separator(10, 0, across / 2)}) == 0);
@@ -297,7 +394,7 @@ TEST_CASE("A torus is cut all around, in disjoint rings, by any number of thread
   const auto separators = [&](Concurrency concurrency) {
     return local_separators(
       separator_candidates(surface, samples, overlaps.pairs(), options, concurrency), surface,
-      samples, overlaps, options, concurrency);
+      samples, overlaps, false, options, concurrency);
   };
   const std::vector<Local_separator> expected = separators(Concurrency::sequential);
   CHECK(expected.size() >= 3);

@@ -38,7 +38,8 @@ struct Limb_network
 enum class Limb_reading
 {
   frame,      ///< Adjacent patches without medial balls are in one limb: contacts close loops.
-  tree,       ///< They are joined where nothing else joins them: only resolved limbs close loops.
+  tree,       ///< They are if they are coplanar, in a sheet, whose narrow holes are of the data; others
+              ///< are joined where nothing else joins them: only resolved limbs close loops.
   known_tree, ///< The same, and nothing closes a loop.
 };
 
@@ -58,7 +59,8 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
                                  Concurrency concurrency)
 {
   const std::vector<Local_separator> separators =
-    local_separators(candidates, surface, samples, overlaps, options.separators, concurrency);
+    local_separators(candidates, surface, samples, overlaps, reading != Limb_reading::frame,
+                     options.separators, concurrency);
   Limb_network result;
   result.quotient = surface_quotient(surface.patches, samples, overlaps, separators, concurrency);
   set_evidence(result.quotient, surface, samples, concurrency);

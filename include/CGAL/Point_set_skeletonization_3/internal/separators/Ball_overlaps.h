@@ -102,12 +102,13 @@ inline double relative_overlap(const Medial_ball& a, const Medial_ball& b)
 }
 
 /// The relative overlap of the medial balls of adjacent patches, in [0, 1]: near 1 within a limb,
-/// near 0 between two limbs that touch.
+/// near 0 between two limbs that touch. A sheet has no such balls; instead of their overlap, how
+/// coplanar the patches are says whether they are in one limb.
 class Ball_overlaps
 {
 public:
   /// O(n log n).
-  /// \param unknown overlap of a pair if a patch has no ball, in [0, 1]
+  /// \param unknown least overlap of a pair if a patch has no ball, in [0, 1]
   /// \param least_overlap least overlap within a limb, in (0, 1)
   Ball_overlaps(const Surface& surface, const Samples& samples, double unknown,
                 double least_overlap, Concurrency concurrency)
@@ -119,24 +120,28 @@ public:
       concurrency, [&] { pairs_ = adjacent_pairs(patches); },
       [&] { balls = known_balls(patches, samples, -surface.options.opposite_normals); });
     overlaps_.resize(pairs_.size());
+    const auto is_unknown = [&](std::size_t k) {
+      return !(balls[pairs_[k].a].radius > 0 && balls[pairs_[k].b].radius > 0);
+    };
     parallel_for(concurrency, pairs_.size(), [&](std::size_t k) {
-      const Medial_ball &a = balls[pairs_[k].a], &b = balls[pairs_[k].b];
-      overlaps_[k] = a.radius > 0 && b.radius > 0 ? relative_overlap(a, b) : unknown;
+      const auto [a, b] = pairs_[k];
+      overlaps_[k] = is_unknown(k) ? coplanarity(patches[a], patches[b])
+                                   : relative_overlap(balls[a], balls[b]);
     });
     for(std::size_t k = 0; k < pairs_.size(); ++k)
-      if(!(balls[pairs_[k].a].radius > 0 && balls[pairs_[k].b].radius > 0))
-        unknown_.push_back(k);
+      if(is_unknown(k))
+        unknown_.push_back({k, overlaps_[k]});
+    set_unknown(unknown);
   }
 
   /// Whether a pair has a patch without ball.
   bool has_unknown() const { return !unknown_.empty(); }
 
-  /// The same with another overlap of such pairs, in [0, 1].
+  /// The same with another least overlap of such pairs, in [0, 1].
   Ball_overlaps with_unknown(double overlap) const
   {
     Ball_overlaps result = *this;
-    for(std::size_t k : unknown_)
-      result.overlaps_[k] = overlap;
+    result.set_unknown(overlap);
     return result;
   }
 
@@ -150,10 +155,23 @@ public:
   bool are_in_one_limb(std::size_t k) const { return overlaps_[k] >= least_overlap_; }
 
 private:
+  /// A pair with a patch that has no ball.
+  struct Unknown
+  {
+    std::size_t pair;
+    double coplanarity;
+  };
+
+  void set_unknown(double overlap)
+  {
+    for(const Unknown& unknown : unknown_)
+      overlaps_[unknown.pair] = (std::max)(overlap, unknown.coplanarity);
+  }
+
   double least_overlap_;
   std::vector<Patch_pair> pairs_;
   std::vector<double> overlaps_;
-  std::vector<std::size_t> unknown_; ///< Pairs with a patch that has no ball.
+  std::vector<Unknown> unknown_;
 };
 
 } // namespace internal

@@ -111,7 +111,9 @@ public:
     std::size_t size = 0; // of the region when its front was tested last
     bool is_in_one_piece = true; // all fronts so far were connected, except for small parts
     bool is_bounded = true;      // the region has a front and at most half of the shape
-    for(double reach = growth * radius; reach < options_.flattest * radius; reach *= growth) {
+    const double limit = is_on_sheet(seed) ? std::numeric_limits<double>::infinity()
+                                           : options_.flattest * radius;
+    for(double reach = growth * radius; reach < limit; reach *= growth) {
       grow(reach);
       is_bounded = !front_.empty() && area_ <= total_area_ / 2;
       if(!is_bounded)
@@ -167,6 +169,13 @@ private:
   static Label changed_if(bool condition, Label label, Label to)
   {
     return static_cast<Label>(label ^ ((label ^ to) & -static_cast<int>(condition)));
+  }
+
+  /// Whether a patch is part of a sheet: there is no thickness that its width could be compared
+  /// with.
+  bool is_on_sheet(std::size_t i) const
+  {
+    return samples_[i].radius == 0 && coplanarity(patches_[i], patches_[i]) >= options_.overlap;
   }
 
   /// Adds the new neighbours of a patch to the front.

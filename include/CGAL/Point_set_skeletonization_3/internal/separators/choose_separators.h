@@ -34,15 +34,16 @@ namespace internal {
 ///
 /// A separator cuts a limb if there is no path on the surface from one side to the other, or only
 /// one around a hole of the shape. An arc that ends in holes of the data, or a ring around a dent,
-/// has a path around it whose closed curve is contractible in the solid.
+/// has a path around it whose closed curve is contractible in the solid. A sheet encloses no solid:
+/// there a hole that is not much wider than what is beside it is one of the data.
 class Separator_choice
 {
 public:
   Separator_choice(std::vector<Local_separator> candidates, const Surface& surface,
-                   const Samples& samples, const Patch_graph& limbs,
+                   const Samples& samples, const Patch_graph& limbs, bool fills_gaps,
                    const Separator_options& options, Concurrency concurrency)
     : options_(options), candidates_(std::move(candidates)), surface_(surface), samples_(samples),
-      concurrency_(concurrency),
+      fills_gaps_(fills_gaps), concurrency_(concurrency),
       search_(concurrency, [&] { return Path_search(surface.patches, limbs); }),
       cuts_(limbs, surface.patches.size()),
       waiting_(candidates_, surface.patches.size()), paths_(candidates_.size())
@@ -76,6 +77,7 @@ private:
   struct Path
   {
     Path_search::Path patches; ///< Empty if there is none.
+    bool is_around_gap = false; ///< In a sheet; whatever its curve is.
     std::size_t curve = none;  ///< Known curve that it can be moved onto; `none` if it is short.
   };
 
@@ -130,7 +132,9 @@ private:
 
   bool has_contractible_path(const Path& path) const
   {
-    return path.curve != none && curves_[path.curve].is_contractible;
+    return path.curve != none &&
+           (curves_[path.curve].is_contractible ||
+            (path.is_around_gap && !curves_[path.curve].is_solid));
   }
 
   /// Finds the paths that are needed whatever is chosen before: those around candidates that come
@@ -150,12 +154,35 @@ private:
     });
     const std::size_t known = curves_.size();
     for(std::size_t s : wanted)
-      if(static_cast<double>(paths_[s]->patches.size()) > options_.around_a_tip)
+      if(static_cast<double>(paths_[s]->patches.size()) > options_.around_a_tip) {
+        paths_[s]->is_around_gap = fills_gaps_ && is_around_gap(paths_[s]->patches, candidates_[s]);
         paths_[s]->curve = curve_like(closed_curve(paths_[s]->patches, candidates_[s]));
+      }
     parallel_for(concurrency_, curves_.size() - known, [&](std::size_t k) {
       Known_curve& curve = curves_[known + k];
       curve.is_contractible = curve.curve.is_contractible();
     });
+  }
+
+  /// Whether a closed path around a separator runs mostly on a sheet, around a hole that is not much
+  /// wider than the strip beside it, which the separator cuts.
+  bool is_around_gap(const Path_search::Path& path, const Local_separator& separator) const
+  {
+    // Widths of the strip: holes between the lines of a scanner are about as wide as what is between
+    // them, those between wires ten times as wide as a wire. (The same results from 3 to 10.)
+    constexpr double widest = 4;
+    Vector3 area = Vector3::Zero(); // times two; of a closed polygon, whatever the origin
+    double length = 0, on_sheet = 0;
+    const Vector3 origin = surface_.patches[path.front()].mean;
+    for(std::size_t k = 0; k < path.size(); ++k) {
+      const std::size_t i = path[k], j = path[k + 1 < path.size() ? k + 1 : 0];
+      const Vector3 from = surface_.patches[i].mean - origin, to = surface_.patches[j].mean - origin;
+      area += from.cross(to);
+      length += (to - from).norm();
+      on_sheet += is_off_surface(samples_[i], surface_.patches[i]) ? 0 : 1;
+    }
+    const double width = length > 0 ? 2 * area.norm() / length : 0; // of a circle its diameter
+    return on_sheet >= 0.5 * static_cast<double>(path.size()) && width < widest * separator.length;
   }
 
   /// The closed curve through the samples of a path around a separator.
@@ -184,6 +211,7 @@ private:
   std::vector<Local_separator> candidates_;
   const Surface& surface_;
   const Samples& samples_;
+  bool fills_gaps_;
   Concurrency concurrency_;
   Per_thread<Path_search> search_;
 
@@ -198,14 +226,14 @@ private:
 
 /// Returns the candidates that cut a limb and share no patch with one chosen before. `limbs` is the
 /// graph of adjacent patches within limbs (`Ball_overlaps::are_in_one_limb()`).
-inline std::vector<Local_separator> choose_separators(std::vector<Local_separator> candidates,
-                                                      const Surface& surface,
-                                                      const Samples& samples,
-                                                      const Patch_graph& limbs,
-                                                      const Separator_options& options,
-                                                      Concurrency concurrency)
+/// \param fills_gaps whether narrow holes of sheets are holes of the data
+inline std::vector<Local_separator>
+choose_separators(std::vector<Local_separator> candidates, const Surface& surface,
+                  const Samples& samples, const Patch_graph& limbs, bool fills_gaps,
+                  const Separator_options& options, Concurrency concurrency)
 {
-  return Separator_choice(std::move(candidates), surface, samples, limbs, options, concurrency)
+  return Separator_choice(std::move(candidates), surface, samples, limbs, fills_gaps, options,
+                          concurrency)
     .run();
 }
 

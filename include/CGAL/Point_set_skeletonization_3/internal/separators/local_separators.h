@@ -108,16 +108,16 @@ inline std::vector<Local_separator> separator_candidates(const Surface& surface,
 }
 
 /// Part 3a: returns those of the candidates that cut limbs, in their order, no patch on two of them.
-/// O(n log n) in practice.
-inline std::vector<Local_separator> local_separators(std::vector<Local_separator> candidates,
-                                                     const Surface& surface, const Samples& samples,
-                                                     const Ball_overlaps& overlaps,
-                                                     const Separator_options& options,
-                                                     Concurrency concurrency)
+/// O(n log n) in practice. \param fills_gaps see `choose_separators()`
+inline std::vector<Local_separator>
+local_separators(std::vector<Local_separator> candidates, const Surface& surface,
+                 const Samples& samples, const Ball_overlaps& overlaps, bool fills_gaps,
+                 const Separator_options& options, Concurrency concurrency)
 {
   const Patch_graph limbs(surface.patches, overlaps.pairs(),
                           [&](std::size_t k) { return overlaps.are_in_one_limb(k); });
-  return choose_separators(std::move(candidates), surface, samples, limbs, options, concurrency);
+  return choose_separators(std::move(candidates), surface, samples, limbs, fills_gaps, options,
+                           concurrency);
 }
 
 } // namespace internal

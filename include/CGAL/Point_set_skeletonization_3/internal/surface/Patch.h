@@ -47,6 +47,12 @@ struct Patch
 
 using Patches = std::vector<Patch>;
 
+/// How much two adjacent patches look like parts of one sheet, in [0, 1]: 1 for coplanar ones.
+inline double coplanarity(const Patch& a, const Patch& b)
+{
+  return std::abs(a.normal.dot(b.normal)) * a.planarity * b.planarity;
+}
+
 /// Lower bound of the spacing, in bounding box diagonals: patches may coincide, and lengths
 /// relative to the spacing must be finite. Below the spacing of any grid.
 constexpr double least_spacing = 1e-6;
