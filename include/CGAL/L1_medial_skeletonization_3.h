@@ -19,6 +19,7 @@
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -212,11 +213,15 @@ private:
     static_assert(
       Point_set_skeletonization_3::internal::Has_only_input_and<
         NamedParameters, internal_np::single_component_t, internal_np::is_tree_t,
-        internal_np::maximum_cells_t>::value,
+        internal_np::maximum_cells_t, internal_np::smallest_feature_t>::value,
       "unknown named parameter: known are point_map, geom_traits, callback, "
-      "maximum_running_time, single_component, is_tree, maximum_cells");
+      "maximum_running_time, single_component, is_tree, maximum_cells, smallest_feature");
     if(const auto cells = Point_set_skeletonization_3::internal::maximum_cells_of(np))
       skeletonizer_.limit_cells(*cells);
+    if(const auto thickness = Point_set_skeletonization_3::internal::smallest_feature_of(np)) {
+      CGAL_precondition(*thickness > 0 && std::isfinite(*thickness));
+      skeletonizer_.limit_features(*thickness);
+    }
   }
 
   /// Progress after step 2.

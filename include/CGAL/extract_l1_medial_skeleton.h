@@ -52,6 +52,10 @@ namespace CGAL {
 ///     \cgalParamNBegin{maximum_cells} \cgalParamDescription{greatest number of components of the
 ///       mixture, in [1000, 2^26]: bounds memory, about 1 kB a component, and the finest detail}
 ///       \cgalParamType{`std::size_t`} \cgalParamDefault{131 072} \cgalParamNEnd
+///     \cgalParamNBegin{smallest_feature} \cgalParamDescription{thickness of the thinnest limb that
+///       must be found, in the unit of the points, > 0 and finite: thinner ones may be missing or
+///       merged. Saves time where there are more points than such a limb takes}
+///       \cgalParamType{`double`} \cgalParamDefault{as thin as the points allow} \cgalParamNEnd
 ///   \cgalNamedParamsEnd
 ///
 /// O(n) for reading the points three times; the rest is O(m log m) in practice for m grid cells,
@@ -93,6 +97,10 @@ bool extract_l1_medial_skeleton(const PointRange& points, Skeleton& skeleton,
 ///     \cgalParamNBegin{is_tree} \cgalParamDescription{whether to open every cycle where the
 ///       evidence for a limb is least} \cgalParamType{`bool`} \cgalParamDefault{`false`}
 ///       \cgalParamNEnd
+///     \cgalParamNBegin{smallest_feature} \cgalParamDescription{thickness of the thinnest limb that
+///       must be found, in the unit of the points, > 0 and finite: thinner ones may be missing or
+///       merged. Saves time where there are more points than such a limb takes}
+///       \cgalParamType{`double`} \cgalParamDefault{as thin as the points allow} \cgalParamNEnd
 ///   \cgalNamedParamsEnd
 template <typename ConcurrencyTag = Sequential_tag, typename Traits, typename Skeleton,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -31,6 +31,10 @@ namespace CGAL {
 ///       \cgalParamType{`std::function<bool(double)>`} \cgalParamDefault{none} \cgalParamNEnd
 ///     \cgalParamNBegin{maximum_running_time} \cgalParamDescription{seconds after which it cancels
 ///       itself, as if the callback had} \cgalParamDefault{no limit} \cgalParamNEnd
+///     \cgalParamNBegin{smallest_feature} \cgalParamDescription{thickness of the thinnest limb that
+///       must be found, in the unit of the points, > 0: cells are coarser if there are more points
+///       than that takes}
+///       \cgalParamType{`double`} \cgalParamDefault{as thin as the points allow} \cgalParamNEnd
 ///   \cgalNamedParamsEnd
 /// \returns the mixture, in the coordinates of the input; without levels if there are no points or
 ///   the callback cancelled
@@ -62,6 +66,10 @@ auto fit_gaussian_mixture(const PointRange& points,
 ///       \cgalParamType{`std::function<bool(double)>`} \cgalParamDefault{none} \cgalParamNEnd
 ///     \cgalParamNBegin{maximum_running_time} \cgalParamDescription{seconds after which it cancels
 ///       itself, as if the callback had} \cgalParamDefault{no limit} \cgalParamNEnd
+///     \cgalParamNBegin{smallest_feature} \cgalParamDescription{thickness of the thinnest limb that
+///       must be found, in the unit of the points, > 0: cells are coarser if there are more points
+///       than that takes}
+///       \cgalParamType{`double`} \cgalParamDefault{as thin as the points allow} \cgalParamNEnd
 ///   \cgalNamedParamsEnd
 template <typename ConcurrencyTag = Sequential_tag, typename Traits,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -33,7 +33,7 @@ void wrong_calls(const std::vector<Kernel::Point_3>& points,
   CGAL::Gaussian_mixture_builder_3<Kernel>(CGAL::Bbox_3()).insert(pairs);
   // expected: the elements of the range are not 3D points: pass point_map(MAP)
   CGAL::extract_l1_medial_skeleton(points, skeleton, parameters::random_seed(1));
-  // expected: unknown named parameter: known are point_map, geom_traits, callback, maximum_running_time, single_component, is_tree, maximum_cells
+  // expected: unknown named parameter: known are point_map, geom_traits, callback, maximum_running_time, single_component, is_tree, maximum_cells, smallest_feature
   CGAL::extract_published_l1_medial_skeleton(points, skeleton, parameters::single_component(true));
   // expected: unknown named parameter: known are point_map, geom_traits, callback, maximum_running_time, number_of_iterations, random_seed, and those of parameters::published
   CGAL::compute_medial_samples(mixture, samples, parameters::random_seed(1));

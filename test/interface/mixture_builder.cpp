@@ -25,6 +25,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -393,6 +394,28 @@ TEST_CASE("The number of cells can be chosen, of a builder and of points")
   CGAL::L1_medial_skeletonization_3<Kernel> steps(cloud, CGAL::parameters::maximum_cells(3000));
   REQUIRE(steps.fit_mixture());
   check_same_bits(steps.mixture(), coarse);
+}
+
+TEST_CASE("The smallest feature can be chosen, of a builder and of points")
+{
+  const Points cloud = branching(20000);
+  const Builder builder = built(cloud, 1000);
+  const auto feature = [](std::optional<double> length) {
+    return CGAL::parameters::smallest_feature(length);
+  };
+  const Mixture fine = CGAL::fit_gaussian_mixture(cloud);
+  check_same_bits(CGAL::fit_gaussian_mixture(cloud, feature(1e-300)), fine);
+  check_same_bits(CGAL::fit_gaussian_mixture(cloud, feature(std::nullopt)), fine);
+  const CGAL::Bbox_3 box = box_of(cloud);
+  const double length = 0.06 * (box.xmax() - box.xmin());
+  const Mixture coarse = CGAL::fit_gaussian_mixture(cloud, feature(length));
+  CHECK(coarse.levels.front().size() < fine.levels.front().size());
+  check_same_bits(CGAL::fit_gaussian_mixture(builder, feature(length)), coarse);
+  Skeleton at_once, in_chunks;
+  REQUIRE(CGAL::extract_l1_medial_skeleton(cloud, at_once, feature(length)));
+  REQUIRE(CGAL::extract_l1_medial_skeleton<CGAL::Parallel_if_available_tag>(builder, in_chunks,
+                                                                             feature(length)));
+  check_equal(in_chunks, at_once);
 }
 
 TEST_CASE("Parts that do not touch are split, the largest first, and strays are left out")

@@ -121,6 +121,27 @@ TEST_CASE("Options out of their range violate a precondition")
   CHECK_THROWS_AS(grid.check(), CGAL::Precondition_exception);
 }
 
+TEST_CASE("The smallest feature is a length")
+{
+  const Silence silence;
+  const Points points = cloud();
+  const CGAL::Gaussian_mixture_builder_3<Kernel> builder(CGAL::Bbox_3(0, 0, 0, 1, 1, 1));
+  const auto check_refused = [](const auto& from, double length) {
+    CAPTURE(length);
+    CHECK_THROWS_AS(Skeletonization(from, CGAL::parameters::smallest_feature(length)),
+                    CGAL::Precondition_exception);
+  };
+  using Limits = std::numeric_limits<double>;
+  for(const double length : {0., -1., Limits::infinity(), Limits::quiet_NaN()}) {
+    check_refused(points, length);
+    check_refused(builder, length);
+  }
+  for(const double length : {Limits::denorm_min(), Limits::max()}) {
+    Skeletonization steps(points, CGAL::parameters::smallest_feature(length));
+    CHECK(steps.run());
+  }
+}
+
 TEST_CASE("Every option has a range, in which its default is")
 {
   using namespace CGAL::Point_set_skeletonization_3::internal;

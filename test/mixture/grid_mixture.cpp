@@ -144,6 +144,31 @@ TEST_CASE("A grid has at most the wanted number of cells and never stops far bel
   }
 }
 
+TEST_CASE("Cells are as coarse as the smallest feature allows, but not coarser than they must be")
+{
+  const Points points = cloud(60000, 14);
+  const Grid_level before = levels_of(points).front();
+  std::size_t cells = before.cells.size();
+  for(double feature = 1e-9; feature < 1e9; feature *= 1.3) {
+    CAPTURE(feature);
+    Grid_options options;
+    options.smallest_feature = feature;
+    const Levels levels = levels_of(points, options);
+    const Grid_level& level = levels.front();
+    check_equal(total(level.gaussians()), total(points));
+    CHECK(level.cells.size() <= cells); // the thicker, the fewer
+    cells = level.cells.size();
+    const double width = level.grid.cell_size(), wanted = feature / Grid_options::cells_across_limb;
+    if(wanted <= before.grid.cell_size())
+      check_same_bits(levels, levels_of(points));
+    else
+      CHECK(width <= wanted);
+    const bool are_few = 2 * cells < 3 * Grid_options().minimum_cells;
+    CHECK((are_few || width > 0.9 * wanted || cells == before.cells.size()));
+  }
+  CHECK(cells > Grid_options().minimum_cells / 2);
+}
+
 TEST_CASE("Levels nest: a cell and its points lie in one cell of the next level, twice as wide")
 {
   const Points points = cloud(20000, 3);

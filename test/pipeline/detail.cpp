@@ -6,14 +6,19 @@
 #include "catch2.h"
 #include "generator/branching_tree.h"
 #include "generator/clouds.h"
+#include "Segment_tree.h"
 #include "graph_counts.h"
 #include "shapes.h"
+#include "skeleton_edges.h"
 
+#include <CGAL/L1_medial_skeletonization_3.h>
 #include <CGAL/extract_l1_medial_skeleton.h>
 
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace {
 
@@ -26,6 +31,24 @@ Graph_counts counts_of(const shapes::Known_shape& shape, std::size_t size, unsig
   CGAL::Curve_skeleton_3<Kernel> skeleton;
   REQUIRE(CGAL::extract_l1_medial_skeleton(points, skeleton));
   return count_graph(skeleton);
+}
+
+// Number of limbs at least as thick as `length`, and of those whose middle is not near the
+// skeleton.
+std::pair<std::size_t, std::size_t> limbs_and_lost(const shapes::Known_shape& shape, double length,
+                                                   const CGAL::Curve_skeleton_3<Kernel>& skeleton)
+{
+  const metrics::Segment_tree tree(metrics::edge_segments(skeleton));
+  std::size_t limbs = 0, lost = 0;
+  for(const shapes::Axis_segment& limb : shape.axis) {
+    const double radius = std::min(limb.radius_a, limb.radius_b);
+    if(2 * radius < 0.999 * length)
+      continue;
+    const shapes::Vector middle = (limb.a + limb.b) / 2;
+    ++limbs;
+    lost += tree.nearest({middle.x(), middle.y(), middle.z()}).distance > radius;
+  }
+  return {limbs, lost};
 }
 
 } // namespace
@@ -49,4 +72,37 @@ TEST_CASE("A tree has all its tips, and nothing else")
       CHECK(counts.cycles == 0);
       CHECK(counts.ends == shape.ends);
     }
+}
+
+// Where there are more points than the thinnest limb takes.
+TEST_CASE("Limbs as thick as the smallest feature are found, with fewer patches")
+{
+  constexpr std::size_t size = 100000;
+  for(const unsigned int seed : {4u, 5u}) {
+    const shapes::Known_shape shape = shapes::branching_tree(5, seed);
+    shapes::Random random(seed);
+    const auto points = shapes::to_points<Kernel>(shapes::sample_clean(shape, size, random));
+    const double twig = 2 * shapes::least_radius(shape);
+    std::size_t patches_before = size;
+    for(const double thickness : {0.01, 1.0, 2.0}) { // of a twig
+      CAPTURE(seed, thickness);
+      const double length = thickness * twig;
+      CGAL::L1_medial_skeletonization_3<Kernel> steps(points,
+                                                       CGAL::parameters::smallest_feature(length));
+      REQUIRE(steps.run());
+      CGAL::Curve_skeleton_3<Kernel> skeleton;
+      steps.extract_skeleton(skeleton);
+      const Graph_counts counts = count_graph(skeleton);
+      CHECK(counts.components == 1);
+      if(thickness <= 1) {
+        CHECK(counts.cycles == 0);
+        CHECK(counts.ends == shape.ends);
+      }
+      const auto [limbs, lost] = limbs_and_lost(shape, length, skeleton);
+      CHECK(limbs > 0);
+      CHECK(lost == 0);
+      CHECK(10 * steps.number_of_samples() < 9 * patches_before);
+      patches_before = steps.number_of_samples();
+    }
+  }
 }

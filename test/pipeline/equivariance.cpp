@@ -136,6 +136,26 @@ TEST_CASE("Scaling the points by a power of ten scales the skeleton")
   }
 }
 
+TEST_CASE("Scaling the smallest feature with the points scales the skeleton")
+{
+  const Points points = shapes::sample(shape(), 60000, 20);
+  const auto skeleton = [](const Points& cloud, double feature) {
+    Skeleton result;
+    REQUIRE(CGAL::extract_l1_medial_skeleton(shapes::to_points<Kernel>(cloud), result,
+                                             CGAL::parameters::smallest_feature(feature)));
+    check_valid(result, cloud.size());
+    return result;
+  };
+  const double feature = 1.3 * radius;
+  const Skeleton before = skeleton(points, feature);
+  CHECK_FALSE(have_same_bits(before, skeleton_of(points, false)));
+  for(double scale : {1e-3, 1e3}) {
+    CAPTURE(scale);
+    const auto map = [&](const Vector& p) { return Vector(scale * p); };
+    check_follows(before, skeleton(image(points, map), scale * feature), map, scale, 1e-6);
+  }
+}
+
 TEST_CASE("Moving the points moves the skeleton, also by ten million diagonals")
 {
   // Coordinates are rounded to what they are at the far place, so that both are the same points.

@@ -9,6 +9,7 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
+#include <optional>
 
 namespace CGAL {
 namespace internal_np {
@@ -16,6 +17,7 @@ namespace internal_np {
 enum single_component_t { single_component };
 enum is_tree_t { is_tree };
 enum maximum_cells_t { maximum_cells };
+enum smallest_feature_t { smallest_feature };
 
 } // namespace internal_np
 
@@ -47,6 +49,10 @@ inline constexpr Parameter<internal_np::is_tree_t, bool> is_tree{};
 
 /// The named parameter `maximum_cells`.
 inline constexpr Parameter<internal_np::maximum_cells_t, std::size_t> maximum_cells{};
+
+/// The named parameter `smallest_feature`; `std::nullopt` means the default.
+inline constexpr Parameter<internal_np::smallest_feature_t, std::optional<double>>
+  smallest_feature{};
 
 } // namespace parameters
 } // namespace CGAL

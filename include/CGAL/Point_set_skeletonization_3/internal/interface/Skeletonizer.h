@@ -32,6 +32,11 @@ public:
 
   /// Bounds the number of components of the mixture of points; that of a builder has its own bound.
   void limit_cells(std::size_t maximum_cells);
+
+  /// Makes the cells of the mixture coarser if limbs of this thickness, in the unit of the input,
+  /// are found all the same. \pre it is positive and finite
+  void limit_features(double smallest_feature);
+
   Skeletonizer(Skeletonizer&&) noexcept;
   Skeletonizer& operator=(Skeletonizer&&) noexcept;
   ~Skeletonizer();

@@ -34,6 +34,7 @@ struct Skeletonizer::State
 
   Concurrency concurrency;
   Options options;
+  double smallest_feature = 0; ///< In the unit of the input; 0: as thin as the points allow.
 
   Normalization normalization;
   Cells_of_points cell_of_point;  ///< In the finest level; empty for points from a builder.
@@ -47,6 +48,15 @@ struct Skeletonizer::State
   std::vector<std::size_t> vertex_of_sample, vertex_of_component; ///< `none` for outliers.
   std::size_t number_of_outliers = 0;
   std::size_t number_of_far = 0; ///< Points that are in no component, outliers as well.
+
+  /// \pre `normalization` is that of the points
+  Grid_options mixture_options() const
+  {
+    Grid_options result = options.mixture;
+    if(smallest_feature > 0)
+      result.smallest_feature = smallest_feature / normalization.diagonal();
+    return result;
+  }
 
   void set_mixture(Grid_mixture grid)
   {
@@ -150,6 +160,12 @@ void Skeletonizer::limit_cells(std::size_t maximum_cells)
 }
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
+void Skeletonizer::limit_features(double smallest_feature)
+{
+  state_->smallest_feature = smallest_feature;
+}
+
+CGAL_POINT_SET_SKELETONIZATION_3_INLINE
 Skeletonizer::Skeletonizer(Skeletonizer&&) noexcept = default;
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
@@ -167,7 +183,7 @@ void Skeletonizer::fit_mixture(const Point_source& points, const Progress& progr
   state.normalization = bulk.box().normalization();
   state.number_of_far = bulk.number_of_far();
   state.set_mixture(grid_mixture({points, state.normalization, state.number_of_far},
-                                 state.options.mixture, State::number_of_levels,
+                                 state.mixture_options(), State::number_of_levels,
                                  state.concurrency, progress.part(0.2, 1)));
 }
 
@@ -178,7 +194,7 @@ void Skeletonizer::fit_mixture(const Moment_grid& points, const Normalization& n
   state_->forget_mixture();
   state_->number_of_far = number_of_far;
   state_->normalization = normalization;
-  Grid_mixture grid = grid_mixture(points, state_->options.mixture, State::number_of_levels);
+  Grid_mixture grid = grid_mixture(points, state_->mixture_options(), State::number_of_levels);
   if(!grid.levels.empty())
     state_->cells = {grid.levels.front().grid, grid.levels.front().cells.cells()};
   state_->set_mixture(std::move(grid));

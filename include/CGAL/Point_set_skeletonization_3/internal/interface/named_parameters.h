@@ -137,6 +137,14 @@ std::optional<std::size_t> maximum_cells_of(const NamedParameters& np)
     parameters::get_parameter(np, internal_np::maximum_cells), std::optional<std::size_t>());
 }
 
+/// The named parameter `smallest_feature`, if it is given.
+template <typename NamedParameters>
+std::optional<double> smallest_feature_of(const NamedParameters& np)
+{
+  return parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::smallest_feature), std::optional<double>());
+}
+
 } // namespace internal
 } // namespace Point_set_skeletonization_3
 } // namespace CGAL

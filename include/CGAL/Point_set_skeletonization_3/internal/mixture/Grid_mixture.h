@@ -43,6 +43,15 @@ struct Grid_options
   std::size_t maximum_cells = default_maximum_cells;
   static constexpr std::size_t default_maximum_cells = std::size_t(1) << 17;
 
+  /// Thickness of the thinnest limb that must be found, in normalised coordinates, >= 0. Cells are
+  /// coarser if the points allow finer ones than that takes. 0: as thin as the points allow.
+  double smallest_feature = 0;
+
+  /// How many cells thick a limb has to be to be found. Two are enough for limbs that are far apart,
+  /// in the trees of `quality detail`. The shapes of `quality generated`, where gaps are half as
+  /// wide as limbs are thick, keep loops and parts with three, as with finer cells, not with 2.5.
+  static constexpr double cells_across_limb = 3;
+
   /// At least 8. A cloud with up to this many points gets a cell for each distinct point: in so
   /// small a cloud each may be the only one on its side of a limb.
   std::size_t minimum_cells = 1000;
@@ -70,6 +79,7 @@ struct Grid_options
   void check() const
   {
     CGAL_precondition(points_per_cell >= 1);
+    CGAL_precondition(smallest_feature >= 0);
     // The eight cells around the origin are never merged.
     CGAL_precondition(minimum_cells >= 8 && minimum_cells <= maximum_cells);
     // Indices of cells have 32 bits, and so do those of pairs of adjacent patches.
@@ -99,6 +109,24 @@ inline Grid_level empty_level(const Cubic_grid& grid, const Cell_set& set)
   std::vector<std::uint64_t> cells = set.cells();
   std::sort(cells.begin(), cells.end());
   return {grid, Moment_cells(cells)};
+}
+
+/// Returns how many cells are wanted of a cloud, whose cells in a fine grid are given: as many as
+/// the points allow, but no more than there are of the width that the smallest feature takes.
+/// `minimum_cells` cost next to no time, so there may be as many in any case. O(cells).
+inline std::size_t wanted_cells(const std::vector<std::uint64_t>& cells, const Cubic_grid& fine,
+                                std::size_t points, const Grid_options& options,
+                                Concurrency concurrency)
+{
+  const std::size_t most = options.cells(points);
+  constexpr double widest = 1; // no cloud is longer than its diagonal
+  const double width =
+    (std::min)(options.smallest_feature / Grid_options::cells_across_limb, widest);
+  const auto factor = static_cast<std::int32_t>(width / fine.cell_size());
+  if(factor <= 1)
+    return most;
+  const std::size_t enough = cells_around(cells, Cell_around(factor), most, concurrency).size();
+  return std::clamp(enough, options.minimum_cells, most);
 }
 
 /// Returns the finest level with at most `wanted` cells that contain the given cells of `fine`,
@@ -241,7 +269,7 @@ inline Cells_of_points add_points(const Normalized_points& points, Grid_level& l
 /// points.
 struct Grid_mixture
 {
-  /// The first level is the finest grid with at most `options.cells()` cells; each further one
+  /// The first level is the finest grid with at most `wanted_cells()`; each further one
   /// has cells of twice the width. Empty without points.
   std::vector<Grid_level> levels;
 
@@ -271,8 +299,9 @@ inline Grid_mixture grid_mixture(const Normalized_points& points, const Grid_opt
     return result;
   const Fine_cells fine =
       fine_cells(points, options.maximum_fine_cells(), concurrency, progress.part(0, 0.5));
-  result.levels.push_back(
-    patch_level(fine.cells, fine.grid, options.cells(points.bulk_size()), concurrency));
+  const std::size_t wanted =
+    wanted_cells(fine.cells, fine.grid, points.bulk_size(), options, concurrency);
+  result.levels.push_back(patch_level(fine.cells, fine.grid, wanted, concurrency));
   result.cell_of_point =
       add_points(points, result.levels.front(), concurrency, progress.part(0.5, 1));
   result.add_coarser_levels(number_of_levels);
@@ -290,9 +319,10 @@ inline Grid_mixture grid_mixture(const Moment_grid& fine, Grid_options options,
   Grid_mixture result;
   if(points == 0)
     return result;
-  result.levels.push_back(
-    patch_level(fine.cells().cells(), fine.grid(),
-                options.cells(points), Concurrency::sequential));
+  const std::vector<std::uint64_t>& cells = fine.cells().cells();
+  const std::size_t wanted =
+    wanted_cells(cells, fine.grid(), points, options, Concurrency::sequential);
+  result.levels.push_back(patch_level(cells, fine.grid(), wanted, Concurrency::sequential));
   Grid_level& finest = result.levels.back();
   finest.cells.add(fine.cells(), finest.grid.around(fine.grid()));
   result.add_coarser_levels(number_of_levels);
