@@ -39,6 +39,7 @@ inline std::optional<Mpi_options> parse_mpi_options(int argc, char** argv)
   add_box_option(app, options.box);
   add_reading_options(app, options.format, options.skip_invalid);
   add_cells_option(app, options.cells);
+  add_feature_option(app, options.smallest_feature);
   add_output_option(app, options);
   add_branch_options(app, options);
   app.add_option("--segment-directory", options.segment_directory,
@@ -61,6 +62,7 @@ inline std::optional<Mpi_options> parse_mpi_options(int argc, char** argv)
   if(options.tiles.empty() && options.list.empty())
     throw std::runtime_error("give a TILE or a list of --tiles (try --help)");
   check_box("--box", options.box);
+  check_feature(options);
   options.input = options.tiles.empty() ? options.list : options.tiles.front(); // names the pages
   check_outputs(options);
   create_folder(options.segment_directory);

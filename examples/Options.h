@@ -86,7 +86,8 @@ struct Options
   bool stream = false;
   std::vector<double> box; ///< smallest x, y, z, then largest; empty: read the file twice
   std::size_t cells = Builder::default_maximum_cells; ///< greatest number of the mixture
-  std::size_t sample = 0;                             ///< 0: take the vertices
+  std::optional<double> smallest_feature; ///< thickness of a limb, in the unit of the input
+  std::size_t sample = 0;                 ///< 0: take the vertices
   int threads = 0;        ///< 0: all cores
   unsigned int seed = 0;
   bool stats = false;
@@ -304,6 +305,23 @@ inline void add_cells_option(CLI::App& app, std::size_t& cells)
       ->check(CLI::Range(std::size_t(1000), std::size_t(1) << 26));
 }
 
+/// What saves time where there are more points than the shape takes.
+inline void add_feature_option(CLI::App& app, std::optional<double>& smallest_feature)
+{
+  app.add_option("--smallest-feature", smallest_feature,
+                 "thickness of the thinnest limb that must be found, in the unit of the points: "
+                 "saves time if there are many [as thin as the points allow]")
+      ->type_name("LENGTH");
+}
+
+/// \throw std::runtime_error
+inline void check_feature(const Options& options)
+{
+  const double thickness = options.smallest_feature.value_or(1);
+  if(!(thickness > 0) || !std::isfinite(thickness))
+    throw std::runtime_error("--smallest-feature: give a length that is more than 0, and finite");
+}
+
 /// How files are read.
 inline void add_reading_options(CLI::App& app, std::string& format, bool& skip_invalid)
 {
@@ -476,7 +494,9 @@ inline Command_line parse_options(int argc, char** argv)
       ->type_name("N")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
   add_cells_option(app, options.cells);
-  app.get_option("--as-published")->excludes(app.get_option("--cells"));
+  add_feature_option(app, options.smallest_feature);
+  for(const char* other : {"--cells", "--smallest-feature"})
+    app.get_option("--as-published")->excludes(app.get_option(other));
   add_stream_options(app, options);
   add_batch_options(app, batch);
   app.add_option("--seed", options.seed, "seed of everything random [0]")->type_name("N");
@@ -495,6 +515,7 @@ inline Command_line parse_options(int argc, char** argv)
   for(const auto* box : {&options.box, &accumulation.box})
     check_box("--box", *box);
   check_box("--tile-box", accumulation.tile_box);
+  check_feature(options);
   if(accumulate) {
     if(accumulation.files.empty() && accumulation.list.empty())
       throw std::runtime_error("accumulate: give a TILE or a list of --tiles (try --help)");

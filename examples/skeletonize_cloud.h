@@ -160,10 +160,11 @@ Result skeletonize(Points& points, const Options& options, Progress_bar& bar)
     if(options.as_published)
       return skeletonize_as_published<ConcurrencyTag>(points, options, bar);
   using namespace CGAL::parameters;
+  const auto topology =
+      single_component(options.single_component, is_tree(options.is_tree, callback_of(bar)));
   CGAL::L1_medial_skeletonization_3<Kernel, ConcurrencyTag> steps(
-      points, maximum_cells(options.cells,
-                            single_component(options.single_component,
-                                             is_tree(options.is_tree, callback_of(bar)))));
+      points,
+      maximum_cells(options.cells, smallest_feature(options.smallest_feature, topology)));
   return run_steps(steps, points);
 }
 

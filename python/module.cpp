@@ -28,6 +28,7 @@
 #endif
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -203,23 +204,27 @@ void check_cells(std::size_t maximum_cells)
         maximum_cells >= 1000 && maximum_cells <= std::size_t(1) << 26, "in [1000, 2^26]");
 }
 
+void check_feature(Real smallest_feature)
+{
+  check("smallest_feature", smallest_feature,
+        smallest_feature > 0. && std::isfinite(*smallest_feature), "more than 0, and finite");
+}
+
 Skeleton skeletonize(const py::object& points, bool single_component, bool is_tree,
-                     std::size_t maximum_cells, std::optional<int> threads,
+                     std::size_t maximum_cells, Real smallest_feature, std::optional<int> threads,
                      const py::object& progress)
 {
   check_cells(maximum_cells);
+  check_feature(smallest_feature);
   return extract_from(
       points, threads, progress,
       [&](const auto& rows, const auto& map, Graph& graph, const auto& callback) {
+        namespace p = CGAL::parameters;
+        const auto common = p::point_map(map).geom_traits(Kernel()).callback(callback);
+        const auto topology = p::single_component(single_component, p::is_tree(is_tree, common));
         return CGAL::extract_l1_medial_skeleton<CGAL::Parallel_if_available_tag>(
             rows, graph,
-            CGAL::parameters::maximum_cells(
-                maximum_cells,
-                CGAL::parameters::single_component(
-                    single_component,
-                    CGAL::parameters::is_tree(is_tree, CGAL::parameters::point_map(map)
-                                                           .geom_traits(Kernel())
-                                                           .callback(callback)))));
+            p::maximum_cells(maximum_cells, p::smallest_feature(smallest_feature, topology)));
       });
 }
 
@@ -313,16 +318,17 @@ Builder builder_of(const py::bytes& bytes)
 }
 
 Skeleton skeletonize_builder(const Builder& builder, bool single_component, bool is_tree,
-                             std::optional<int> threads, const py::object& progress)
+                             Real smallest_feature, std::optional<int> threads,
+                             const py::object& progress)
 {
+  check_feature(smallest_feature);
   Skeleton result;
   run_with_threads(threads, progress, [&](const std::function<bool(double)>& callback) {
+    namespace p = CGAL::parameters;
+    const auto common = p::geom_traits(Kernel()).callback(callback);
+    const auto topology = p::single_component(single_component, p::is_tree(is_tree, common));
     return CGAL::extract_l1_medial_skeleton<CGAL::Parallel_if_available_tag>(
-        builder, result.graph,
-        CGAL::parameters::single_component(
-            single_component,
-            CGAL::parameters::is_tree(
-                is_tree, CGAL::parameters::geom_traits(Kernel()).callback(callback))));
+        builder, result.graph, p::smallest_feature(smallest_feature, topology));
   });
   return result;
 }
@@ -414,7 +420,8 @@ box; the message names the point by its number among all inserted, and those bef
       .def_static("load", &load, "filename"_a,
                   "Reads a file of moments. Raises RuntimeError that says what is wrong with it.")
       .def("skeletonize", &skeletonize_builder, py::kw_only(), "single_component"_a = false,
-           "is_tree"_a = false, "threads"_a = py::none(), "progress"_a = py::none(),
+           "is_tree"_a = false, "smallest_feature"_a = py::none(), "threads"_a = py::none(),
+           "progress"_a = py::none(),
            "Extracts the curve skeleton; parameters as for skeletonize(). Its point_map is empty.")
       .def_property_readonly(
           "box",
@@ -433,8 +440,8 @@ box; the message names the point by its number among all inserted, and those bef
       });
 
   module.def("skeletonize", &skeletonize, "points"_a, py::kw_only(), "single_component"_a = false,
-             "is_tree"_a = false, "maximum_cells"_a = 131072, "threads"_a = py::none(),
-             "progress"_a = py::none(),
+             "is_tree"_a = false, "maximum_cells"_a = 131072, "smallest_feature"_a = py::none(),
+             "threads"_a = py::none(), "progress"_a = py::none(),
              R"(Extracts the curve skeleton of a point cloud.
 
 points: array of shape (n, 3), float32 or float64 in any layout, which is not copied; in any unit.
@@ -442,6 +449,9 @@ points: array of shape (n, 3), float32 or float64 in any layout, which is not co
 single_component: join all components, for a shape known to be in one piece.
 is_tree: open every cycle, for a shape known to have none.
 maximum_cells: the resolution, at most so many grid cells of about 1 kB of memory each.
+smallest_feature: thickness of the thinnest limb that must be found, in the unit of the points, > 0;
+    thinner ones may be missing or merged. Saves time if there are many points. None: as thin as
+    the points allow.
 threads: number of threads; None: all cores. The result does not depend on it.
 progress: called with the progress in [0, 1]; returning False cancels (RuntimeError).
 

@@ -23,6 +23,18 @@ check "the same as streamed" cmp expected.ply streamed.ply
 accepts all.moments --stats -o expected.swc
 check "the points are counted" one_line out '"points":20000,'
 
+# Coarser cells, of points in any form.
+cells_of() { # cells_of ARGUMENT...
+  accepts "$@" --stats
+  sed 's/.*"mixture":\([0-9]*\),"samples".*/\1/' out
+}
+check "coarser" test "$(cells_of all.moments --smallest-feature 1)" -lt "$(cells_of all.moments)"
+accepts all.xyz --smallest-feature 1 --quiet -o at_once.ply
+accepts all.xyz --smallest-feature 1 --quiet --stream -o streamed.ply
+check "coarser cells of a stream, as of points in memory" cmp at_once.ply streamed.ply
+accepts all.xyz --smallest-feature 1e-9 --quiet --stream --box $box -o found.ply
+check "finer than the points allow is no finer" cmp expected.ply found.ply
+
 same_skeleton() { # same_skeleton FILE.moments
   accepts "$1" --quiet -o found.ply
   check "$1: the same skeleton, bit for bit" cmp expected.ply found.ply

@@ -46,6 +46,9 @@ points_of seg3/*.ply > found.txt
 check "the same branches of points as in one process" cmp expected.txt found.txt
 
 ranks=3
+"$single" all.xyz --quiet --smallest-feature 1 -o coarse.ply
+accepts tile?.xyz --smallest-feature 1 -o found.ply --quiet
+check "coarser cells, as in one process" cmp coarse.ply found.ply
 accepts tile?.xyz --stats
 check "says all about the run" one_line out '"points":20001,' '"outliers":' '"megabytes":['
 accepts tile?.xyz -o found.ply --branches branches.csv
@@ -70,6 +73,7 @@ stops "outside the given box" tile?.xyz --box -2 -2 -1 1e13 2 9.7 -o stopped.ply
 stops "'tile1.xyz' is given twice" tile?.xyz tile1.xyz -o stopped.ply
 stops "'none/stopped.ply': there is no folder" tile?.xyz -o none/stopped.ply
 stops "give a TILE" -o stopped.ply
+stops "--smallest-feature: give a length" tile?.xyz --smallest-feature 0 -o stopped.ply
 stops "'none.txt': there is no such file" --tiles none.txt -o stopped.ply
 mkdir other
 cp tile1.xyz other

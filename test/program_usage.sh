@@ -25,6 +25,11 @@ refuses --box cloud.xyz --stream --box 0 0 0 1 1
 refuses "smallest x, y and z" cloud.xyz --stream --box 0 0 0 1 -1 1
 refuses "smallest x, y and z" cloud.xyz --stream --box 0 0 0 1 inf 1
 refuses "no faces" cloud.xyz --sample 100
+for length in 0 -1 nan inf; do
+  refuses "--smallest-feature: give a length" cloud.xyz --smallest-feature $length
+done
+refuses "--smallest-feature" cloud.xyz --smallest-feature thin
+refuses "--as-published" cloud.xyz --as-published --smallest-feature 1
 
 accepts cloud.xyz
 check "a summary" one_line out "points 600" "components"

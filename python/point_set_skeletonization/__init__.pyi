@@ -58,6 +58,7 @@ class MixtureBuilder:
         *,
         single_component: bool = ...,
         is_tree: bool = ...,
+        smallest_feature: Optional[float] = ...,
         threads: Optional[int] = ...,
         progress: Optional[Callable[[float], Optional[bool]]] = ...,
     ) -> Skeleton: ...
@@ -68,6 +69,7 @@ def skeletonize(
     single_component: bool = ...,
     is_tree: bool = ...,
     maximum_cells: int = ...,
+    smallest_feature: Optional[float] = ...,
     threads: Optional[int] = ...,
     progress: Optional[Callable[[float], Optional[bool]]] = ...,
 ) -> Skeleton: ...

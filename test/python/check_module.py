@@ -107,6 +107,14 @@ class ModuleTest(unittest.TestCase):
         with self.assertRaisesRegex(RuntimeError, "cancelled"):
             whole.skeletonize(progress=lambda share: False)
 
+    def test_smallest_feature(self):
+        self.assert_same(skeletonize(self.points, smallest_feature=1e-9), self.skeleton)
+        s = skeletonize(self.points, smallest_feature=1)
+        self.assertFalse(numpy.array_equal(s.vertices, self.skeleton.vertices))
+        self.assertEqual((numpy.bincount(s.edges.ravel()) == 1).sum(), 3)
+        t = self.builder_of(self.points).skeletonize(smallest_feature=1)
+        numpy.testing.assert_array_equal(s.vertices, t.vertices)
+
     def test_wrong_moments(self):
         a = self.builder_of(self.points[:10], "a")
         with self.assertRaisesRegex(ValueError, "'a' already"):
@@ -184,6 +192,11 @@ class ModuleTest(unittest.TestCase):
                 skeletonize(broken)
         with self.assertRaisesRegex(ValueError, r"maximum_cells must be in \[1000"):
             skeletonize(self.points, maximum_cells=10)
+        for length in 0, -1, numpy.nan, numpy.inf:
+            for run in self.builder_of(self.points).skeletonize, \
+                    lambda **keywords: skeletonize(self.points, **keywords):
+                with self.assertRaisesRegex(ValueError, "smallest_feature must be more than 0"):
+                    run(smallest_feature=length)
         with self.assertRaisesRegex(ValueError, "threads must be at least 1"):
             skeletonize(self.points, threads=0)
 
