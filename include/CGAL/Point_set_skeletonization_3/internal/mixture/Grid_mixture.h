@@ -47,7 +47,7 @@ struct Grid_options
   /// coarser if the points allow finer ones than that takes. 0: as thin as the points allow.
   double smallest_feature = 0;
 
-  /// How many cells thick a limb has to be to be found. Two are enough for limbs that are far apart,
+  /// How many cells thick a limb must be to be found. Two are enough for limbs that are far apart,
   /// in the trees of `quality detail`. The shapes of `quality generated`, where gaps are half as
   /// wide as limbs are thick, keep loops and parts with three, as with finer cells, not with 2.5.
   static constexpr double cells_across_limb = 3;
