@@ -115,20 +115,24 @@ inline void check_output(const std::string& filename, const std::string& input)
     fail("it is the input");
 }
 
+/// The number of letters of the ending of a name, with its dots.
+inline std::size_t size_of_ending(const std::string& filename)
+{
+  for(const std::string two_dots : {".polylines.txt", ".tubes.ply"})
+    if(CGAL::Point_set_skeletonization_3::internal::ends_with(filename, two_dots))
+      return two_dots.size();
+  return std::filesystem::path(filename).extension().string().size();
+}
+
 /// The name of an output with the number of a part, padded with zeros: `plot.ply`, `plot_007.ply`.
 inline std::string name_of_part(const std::string& filename, std::size_t part, std::size_t parts)
 {
-  using CGAL::Point_set_skeletonization_3::internal::ends_with;
   if(filename.empty())
     return filename;
-  const std::string two = ".polylines.txt"; // the only ending with two dots
-  const std::size_t ending = ends_with(filename, two)
-                                 ? two.size()
-                                 : std::filesystem::path(filename).extension().string().size();
+  const std::size_t ending = filename.size() - size_of_ending(filename);
   const std::string number = std::to_string(part), last = std::to_string(parts);
-  return filename.substr(0, filename.size() - ending) + '_' +
-         std::string(last.size() - number.size(), '0') + number +
-         filename.substr(filename.size() - ending);
+  return filename.substr(0, ending) + '_' + std::string(last.size() - number.size(), '0') + number +
+         filename.substr(ending);
 }
 
 /// The options for the outputs of a part.
@@ -159,13 +163,13 @@ inline void check_outputs(const Options& options)
   const auto check_other = [&](const std::string& filename, const std::string& ending) {
     if(filename.empty())
       return;
-    if(std::filesystem::path(filename).extension() != ending)
-      throw std::runtime_error("cannot write '" + filename + "': name it " + ending);
+    if(point_files::extension_of(filename) != ending)
+      throw std::runtime_error("cannot write '" + filename + "': name it ." + ending);
     check(filename);
   };
-  check_other(options.points, ".xyz");
-  check_other(options.branches, ".csv");
-  check_other(options.segment, ".ply");
+  check_other(options.points, "xyz");
+  check_other(options.branches, "csv");
+  check_other(options.segment, "ply");
 }
 
 /// \throw std::runtime_error

@@ -147,11 +147,11 @@ check "no half file" test ! -e slow.moments -a -z "$(ls -A | grep part$)"
 
 # A skeleton for each part that touches no other, the largest first.
 awk '{ print; if(NR % 2) printf "%.6f %s %s\n", $1 + 10, $2, $3 }' all.xyz > two.xyz
-accepts two.xyz --split -o part.ply -o part.polylines.txt --branches part.csv
+accepts two.xyz --split -o part.ply -o part.polylines.txt -o part.tubes.ply --branches part.csv
 check "a line for each part" test "$(wc -l < out)" = 2
 check "which says how large it is" grep -q '^part 2: points 10000, ' out
-check "files for each part" test "$(ls part_* | tr '\n' ,)" = \
-  part_1.csv,part_1.ply,part_1.polylines.txt,part_2.csv,part_2.ply,part_2.polylines.txt,
+check "files for each part" test "$(ls part_* | tr '\n' ' ')" = "$(for part in 1 2; do
+  printf '%s ' part_$part.csv part_$part.ply part_$part.polylines.txt part_$part.tubes.ply; done)"
 accepts accumulate two.xyz -o two.moments --quiet
 accepts two.moments --split --threads 1 -o again.ply --stats
 check "statistics for each part" grep -q '^{"part":2,"points":10000,' out

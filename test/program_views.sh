@@ -15,6 +15,10 @@ for ending in html png svg csv; do
 done
 check "the same again, bit by bit" cmp s.ply t.ply
 
+# Endings in capital letters.
+accepts cloud.xyz --quiet --branches C.CSV --segment U.PLY --points P.XYZ
+check "the same in capital letters" sh -c 'cmp a.csv C.CSV && cmp s.ply U.PLY && test -s P.XYZ'
+
 # From the other end.
 awk '{ print -$1, -$2, -$3 }' cloud.xyz > down.xyz
 accepts cloud.xyz --quiet --root thickest --up x --branches thick.csv
