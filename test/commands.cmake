@@ -12,7 +12,6 @@ if(TARGET skeletonize_point_set)
     add_test(NAME ${name} COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/${name}.sh"
                                   $<TARGET_FILE:skeletonize_point_set>)
   endforeach()
-  set_tests_properties(program_signals PROPERTIES RUN_SERIAL ON) # it measures time
   if("page" IN_LIST names)
     set_tests_properties(page PROPERTIES PROCESSORS 2) # draws with all cores
   endif()
