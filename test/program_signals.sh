@@ -1,6 +1,6 @@
 #!/bin/sh
-# Signals end the program at once, and leave no file. How long that takes is printed and not checked:
-# on a busy machine it says nothing. Usage: program_signals.sh PROGRAM
+# Signals end the program at once, and leave no file. How long that takes is printed, not checked: on
+# a busy machine it says nothing. Usage: program_signals.sh PROGRAM
 . "$(dirname "$0")/program.sh"
 
 # It would compute for hours, so that a signal is no race against the end of the work.
