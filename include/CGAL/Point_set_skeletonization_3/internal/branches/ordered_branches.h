@@ -129,6 +129,33 @@ inline std::vector<Plain_branch> paths_between(const std::vector<bool>& is_node,
   return result;
 }
 
+/// The number of the component of each vertex, in the order of their first vertices. O(n).
+inline std::vector<std::size_t> component_numbers(const Incidences& incidences)
+{
+  std::vector<std::size_t> result(incidences.size());
+  std::size_t components = 0;
+  for_each_component(incidences, [&](const std::vector<std::size_t>& members) {
+    for(std::size_t v : members)
+      result[v] = components;
+    ++components;
+  });
+  return result;
+}
+
+/// For every vertex the branches that end there, each once. O(n).
+inline std::vector<std::vector<std::size_t>>
+branches_at_ends(const std::vector<Plain_branch>& branches, std::size_t vertices)
+{
+  std::vector<std::vector<std::size_t>> result(vertices);
+  for(std::size_t b = 0; b < branches.size(); ++b) {
+    const std::size_t front = branches[b].vertices.front(), back = branches[b].vertices.back();
+    result[front].push_back(b);
+    if(front != back)
+      result[back].push_back(b);
+  }
+  return result;
+}
+
 /// Orders branches by component, then by the distance of their far ends from the nearest root,
 /// along the skeleton, and directs them away from it. Sets parents, and which branches close a
 /// cycle. O(n log n).
@@ -137,20 +164,9 @@ inline std::vector<Plain_branch> directed_from(const std::vector<std::size_t>& r
                                                std::vector<Plain_branch> branches)
 {
   constexpr std::size_t none = Plain_branch::none;
-  const std::size_t vertices = incidences.size();
-  std::vector<std::size_t> component(vertices);
-  std::size_t components = 0;
-  for_each_component(incidences, [&](const std::vector<std::size_t>& members) {
-    for(std::size_t v : members)
-      component[v] = components;
-    ++components;
-  });
-  std::vector<std::vector<std::size_t>> touching(vertices); // branches by their end vertices
-  for(std::size_t b = 0; b < branches.size(); ++b) {
-    touching[branches[b].vertices.front()].push_back(b);
-    if(branches[b].vertices.front() != branches[b].vertices.back())
-      touching[branches[b].vertices.back()].push_back(b);
-  }
+  const std::vector<std::size_t> component = component_numbers(incidences);
+  const std::vector<std::vector<std::size_t>> touching =
+      branches_at_ends(branches, incidences.size());
 
   struct Node
   {
@@ -159,7 +175,7 @@ inline std::vector<Plain_branch> directed_from(const std::vector<std::size_t>& r
     std::size_t branch_to = none; // the same in the result
     bool settled = false;
   };
-  std::vector<Node> nodes(vertices);
+  std::vector<Node> nodes(incidences.size());
   std::vector<Plain_branch> result;
   const auto append = [&](std::size_t b, std::size_t from) {
     result.push_back(std::move(branches[b]));
