@@ -4,9 +4,12 @@
 mpirun=$1 mpi_program=$2
 shift 2
 . "$(dirname "$0")/program.sh"
-# More processes than cores, perhaps as root, perhaps in a container.
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 \
-  OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_mpi_yield_when_idle=1
+# More processes than cores (said to Open MPI 4, then to 5), perhaps as root, perhaps in a container,
+# perhaps on a machine without a network.
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 \
+  OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe \
+  OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_mpi_yield_when_idle=1 \
+  OMPI_MCA_btl_tcp_if_include=lo
 ranks=1
 mpi() { "$mpirun" -n $ranks "$mpi_program" "$@"; }
 single=$program
