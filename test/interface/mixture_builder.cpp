@@ -446,6 +446,20 @@ TEST_CASE("Parts that do not touch are split, the largest first, and strays are 
   CHECK(Builder().split().empty());
 }
 
+TEST_CASE("A small cloud is split into its parts, not into its points")
+{
+  Points cloud = branching(500);
+  CHECK(built(cloud, 100).split().size() == 1);
+  const CGAL::Bbox_3 box = box_of(cloud);
+  const double side = box.xmax() - box.xmin();
+  for(const Point& p : branching(300))
+    cloud.emplace_back(p.x() + 3 * side, p.y(), p.z());
+  const std::vector<Builder> parts = built(cloud, 100).split();
+  REQUIRE(parts.size() == 2);
+  CHECK(parts[0].number_of_points() == 500);
+  CHECK(parts[1].number_of_points() == 300);
+}
+
 TEST_CASE("A point read once more finds the vertex that it has in memory")
 {
   Points cloud = branching(20000);
