@@ -33,11 +33,11 @@ namespace internal {
 /// Moves the vertices of a skeleton to the middle of the cross-sections of its limbs, smoothly.
 ///
 /// The plane through a vertex orthogonal to its branch cuts the limb; the centroid c of the area of
-/// the cross-section is the target of the vertex. It is known from a few points only. An open limb
-/// has no area if less than half of its boundary was seen (a leaf) or it is scattered (a twig in
-/// leaf). Then the target is the L1-median of the points of the cross-section, so that the curve
-/// stays on them, and the radius is their median distance from it. The positions x minimise the
-/// squared distances to the targets plus a bending energy,
+/// the cross-section is the target of the vertex. It is known from a few points only. There is no
+/// area if less than a third of the boundary was seen, and in an open limb less than half (a leaf),
+/// or if it is scattered (a twig in leaf). Then the target is the L1-median of the points of the
+/// cross-section, so that the curve stays on them, and the radius is their median distance from it.
+/// The positions x minimise the squared distances to the targets plus a bending energy,
 ///
 ///     sum w |x - c|^2 + sum (l / h)^4 |second difference of x|^2
 ///
@@ -159,9 +159,10 @@ private:
     if(section.area > 0 && weight > least_weight && (!is_open(vertex) || has_area(vertex, weight)))
       return {vertex.position, in_space(section.center), weight,
               (std::max)(radius, std::sqrt(section.area / CGAL_PI)), true, 0};
-    if(!is_open(vertex) || points.empty())
+    if(points.empty() || (!is_open(vertex) && !(section.area > 0)))
       return not_drawn(v, radius);
-    const Eigen::Vector2d median = l1_median(points, 0.1 * vertex.resolution + least_spacing);
+    const Eigen::Vector2d median =
+      l1_median(points, (std::max)(0.1 * vertex.resolution, least_spacing));
     std::vector<double> distances;
     for(const Eigen::Vector2d& p : points)
       distances.push_back((p - median).norm());
