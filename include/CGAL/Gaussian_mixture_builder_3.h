@@ -244,8 +244,7 @@ private:
   static std::size_t fine_cells(std::size_t maximum_cells)
   {
     Point_set_skeletonization_3::internal::Grid_options options;
-    options.maximum_cells = maximum_cells;
-    options.check();
+    options.limit_cells(maximum_cells);
     return options.maximum_fine_cells();
   }
 

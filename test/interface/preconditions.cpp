@@ -117,7 +117,7 @@ TEST_CASE("Options out of their range violate a precondition")
   check_refused([](Published_options& o) { o.branches.b_min = 1; });
   check_refused([](Published_options& o) { o.branches.d_max = 0; });
   Grid_options grid;
-  grid.minimum_cells = grid.maximum_cells + 1;
+  grid.minimum_cells = 7;
   CHECK_THROWS_AS(grid.check(), CGAL::Precondition_exception);
 }
 

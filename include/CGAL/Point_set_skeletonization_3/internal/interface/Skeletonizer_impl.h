@@ -156,7 +156,7 @@ Skeletonizer::Skeletonizer(Concurrency concurrency, const Options& options)
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
 void Skeletonizer::limit_cells(std::size_t maximum_cells)
 {
-  state_->options.mixture.maximum_cells = maximum_cells;
+  state_->options.mixture.limit_cells(maximum_cells);
 }
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE

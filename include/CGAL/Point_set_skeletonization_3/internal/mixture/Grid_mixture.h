@@ -52,9 +52,13 @@ struct Grid_options
   /// wide as limbs are thick, keep loops and parts with three, as with finer cells, not with 2.5.
   static constexpr double cells_across_limb = 3;
 
-  /// At least 8. A cloud with up to this many points gets a cell for each distinct point: in so
-  /// small a cloud each may be the only one on its side of a limb.
-  std::size_t minimum_cells = 1000;
+  /// Number of cells, at least 8, up to which detail is worth more than smoothness: a cloud too
+  /// small for that many has cells of fewer points, but of no fewer than `least_points_per_cell`.
+  std::size_t minimum_cells = 1500;
+
+  /// Three cells for four points. With one cell for each point, noise cannot be told from shape: at
+  /// 2000 points, 70 % of the shapes of `quality generated` are right with it, 88 % with this.
+  static constexpr double least_points_per_cell = 4. / 3;
 
   /// Greatest number of cells of the grid that is read first: four times as many as are wanted, so
   /// that widths can be chosen in small steps. Less one: tables double when they are full.
@@ -71,8 +75,20 @@ struct Grid_options
   /// Greatest number of cells of a cloud.
   std::size_t cells(std::size_t points) const
   {
-    const auto wanted = static_cast<std::size_t>(static_cast<double>(points) / points_per_cell);
-    return (std::min)(std::max(wanted, minimum_cells), maximum_cells);
+    const auto cells_of = [&](double points_of_a_cell) {
+      return static_cast<std::size_t>(static_cast<double>(points) / points_of_a_cell);
+    };
+    const std::size_t most = (std::max)(cells_of(least_points_per_cell), std::size_t(8));
+    const std::size_t least = (std::min)(most, minimum_cells);
+    return (std::min)((std::max)(cells_of(points_per_cell), least), maximum_cells);
+  }
+
+  /// Sets the bound that a user asks for, >= 1000: fewer save nothing.
+  void limit_cells(std::size_t most)
+  {
+    CGAL_precondition(most >= 1000);
+    maximum_cells = most;
+    check();
   }
 
   /// Checks all ranges.
@@ -81,7 +97,7 @@ struct Grid_options
     CGAL_precondition(points_per_cell >= 1);
     CGAL_precondition(smallest_feature >= 0);
     // The eight cells around the origin are never merged.
-    CGAL_precondition(minimum_cells >= 8 && minimum_cells <= maximum_cells);
+    CGAL_precondition(minimum_cells >= 8 && maximum_cells >= 8);
     // Indices of cells have 32 bits, and so do those of pairs of adjacent patches.
     CGAL_precondition(maximum_cells <= std::size_t(1) << 26);
   }
@@ -126,7 +142,7 @@ inline std::size_t wanted_cells(const std::vector<std::uint64_t>& cells, const C
   if(factor <= 1)
     return most;
   const std::size_t enough = cells_around(cells, Cell_around(factor), most, concurrency).size();
-  return std::clamp(enough, options.minimum_cells, most);
+  return std::clamp(enough, (std::min)(options.minimum_cells, most), most);
 }
 
 /// Returns the finest level with at most `wanted` cells that contain the given cells of `fine`,

@@ -54,8 +54,8 @@ inline std::vector<Moment_grid> separate_parts(const Moment_grid& points, std::i
   if(points.cells().size() == 0)
     return {};
   Grid_options options = Grid_options::of_fine_cells(points.maximum_cells());
-  // A cell for each point, as for the skeleton of a small cloud, would be narrower than the distance
-  // of points, and each a part.
+  // Cells as for the skeleton of a small cloud would be narrower than the distance of its points,
+  // and each a part.
   options.minimum_cells = 8;
   std::vector<std::uint64_t> fine = points.cells().cells();
   std::sort(fine.begin(), fine.end()); // nothing depends on the order in which they came
