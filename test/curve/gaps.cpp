@@ -85,16 +85,57 @@ std::size_t loops_of_continued(Skeleton_graph graph)
 
 } // namespace
 
-TEST_CASE("A fragment is joined if it is longer than the gap")
+TEST_CASE("A fragment is joined over a gap of twice its length, and no wider one")
 {
   CHECK(is_joined(0.15, 1));
-  CHECK_FALSE(is_joined(0.25, 1));
+  CHECK(is_joined(0.35, 1));
+  CHECK_FALSE(is_joined(0.45, 1));
 }
 
 TEST_CASE("What was seen from all sides, or is no small part, is no fragment")
 {
   CHECK_FALSE(is_joined(0.15, 0));
   CHECK_FALSE(is_joined(0.15, 1, 10)); // half the points of the other
+}
+
+TEST_CASE("What branches is sooner a shape of its own than what is one limb")
+{
+  for(const double branch : {0.02, 0.15}) {
+    CAPTURE(branch);
+    Skeleton_graph graph;
+    add_line(graph, Vector3(-2, 0, 0), Vector3(2, 0, 0), 0);
+    const std::size_t piece = graph.vertices.size();
+    add_line(graph, Vector3(0, 0.1, 0), Vector3(0, 0.3, 0), 1);
+    const std::size_t middle = (piece + graph.vertices.size()) / 2;
+    for(int k = 0; k < 6; ++k) {
+      const double angle = k * CGAL_PI / 3;
+      const std::size_t first = graph.vertices.size();
+      const Vector3 start = graph.vertices[middle].position;
+      add_line(graph, start, start + branch * Vector3(std::cos(angle), 0, std::sin(angle)), 1);
+      graph.edges.emplace_back(middle, first);
+    }
+    const double in_piece = static_cast<double>(graph.vertices.size() - piece);
+    std::vector<double> points(graph.vertices.size(), 0.2 * static_cast<double>(piece) / in_piece);
+    std::fill_n(points.begin(), piece, 1.0);
+    const std::size_t before = graph.edges.size();
+    join_fragments(graph, points, Curve_options());
+    CHECK(graph.edges.size() == before + (branch < 0.1 ? 1 : 0));
+  }
+}
+
+TEST_CASE("A fragment between two shapes joins the nearer one, and not the two")
+{
+  Skeleton_graph graph;
+  add_line(graph, Vector3(-2, 0, 0), Vector3(2, 0, 0), 1);
+  const std::size_t other = graph.vertices.size();
+  add_line(graph, Vector3(-2, 0.4, 0), Vector3(2, 0.4, 0), 1);
+  const std::size_t fragment = graph.vertices.size();
+  add_line(graph, Vector3(0, 0.12, 0), Vector3(0, 0.3, 0), 1);
+  const std::vector<double> points(graph.vertices.size(), 1);
+  join_fragments(graph, points, Curve_options());
+  const Measured_components components(graph, points);
+  CHECK(components.are_connected(fragment, other));
+  CHECK_FALSE(components.are_connected(fragment, 0));
 }
 
 TEST_CASE("What is joined to a component does not make others its fragments")

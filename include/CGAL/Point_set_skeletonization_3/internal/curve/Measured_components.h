@@ -50,6 +50,9 @@ public:
   /// The component of a vertex.
   const Component& of(std::size_t v) const { return measures_[representative_[v]]; }
 
+  /// The vertex that stands for the component of a vertex.
+  std::size_t representative(std::size_t v) const { return representative_[v]; }
+
   /// The component with the most points. \pre there is a vertex
   const Component& largest() const { return measures_[largest_]; }
 

@@ -8,6 +8,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Measured_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/longest_path.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 
 #include <algorithm>
@@ -18,56 +19,90 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Returns the bridges from fragments to what they are pieces of.
-/// \param points number of points of each vertex
-inline std::vector<Bridge> bridges_of_fragments(const Skeleton_graph& graph,
-                                                const std::vector<double>& points,
-                                                const Curve_options& options)
+/// Which components of a skeleton graph are fragments: pieces of limbs, whose rest is behind
+/// something that hid it from the scanner.
+class Fragments
 {
-  const Measured_components components(graph, points);
-  const auto is_fragment_of = [&](const Component& a, const Component& b) {
-    return a.curve.is_open() && a.points < options.fragment_share * b.points;
-  };
-  const Component& largest = components.largest();
-  double longest = 0;
-  for(std::size_t v = 0; v < graph.vertices.size(); ++v)
-    if(is_fragment_of(components.of(v), largest))
-      longest = (std::max)(longest, components.of(v).curve.length());
-  std::vector<Bridge> bridges;
-  if(longest == 0)
-    return bridges;
-  const std::vector<Vector3> positions = positions_of(graph);
-  const Box_tree places(positions);
-  const std::vector<std::vector<std::size_t>> adjacency = graph.adjacency();
-  for(std::size_t v = 0; v < adjacency.size(); ++v) {
-    if(adjacency[v].size() != 1)
-      continue;
-    const Component& a = components.of(v);
-    places.visit_within(positions[v], longest, [&](std::size_t k, double) {
-      const std::size_t w = places.order()[k];
-      if(components.are_connected(v, w))
-        return;
-      const Component& b = components.of(w);
-      const Bridge gap = bridge(v, w, graph);
-      if((is_fragment_of(a, b) && gap.length < a.curve.length()) ||
-         (is_fragment_of(b, a) && gap.length < b.curve.length()))
-        bridges.push_back(gap);
-    });
+public:
+  /// Refers to the first argument.
+  /// \param points number of points of each vertex
+  Fragments(const Skeleton_graph& graph, const std::vector<double>& points,
+            const Curve_options& options)
+    : options_(options), graph_(graph), components_(graph, points), adjacency_(graph.adjacency()),
+      span_(graph.vertices.size(), 0)
+  {
+    const double most = (std::max)(options.limb_share, options.fragment_share);
+    for(std::size_t v = 0; v < span_.size(); ++v) {
+      const Component& component = components_.of(v);
+      if(components_.representative(v) == v && component.curve.is_open() &&
+         component.points < most * components_.largest().points)
+        span_[v] = longest_path(v, graph, adjacency_);
+    }
   }
-  return bridges;
-}
+
+  /// Returns the shortest bridge from each fragment to what it is a piece of. They lead from a tip
+  /// to any vertex, or back.
+  std::vector<Bridge> bridges() const
+  {
+    const auto longest = std::max_element(span_.begin(), span_.end());
+    if(longest == span_.end() || *longest == 0)
+      return {};
+    const double widest = options_.fragment_gap * *longest;
+    const std::vector<Vector3> positions = positions_of(graph_);
+    const Box_tree places(positions);
+    std::vector<Bridge> nearest(graph_.vertices.size(), {0, 0, widest}); // at the representative
+    const auto offer = [&](const Bridge& gap, std::size_t from, std::size_t to) {
+      Bridge& best = nearest[components_.representative(from)];
+      if(gap < best && gap.length < options_.fragment_gap * span(from) && is_fragment_of(from, to))
+        best = gap;
+    };
+    for(std::size_t v = 0; v < adjacency_.size(); ++v)
+      if(adjacency_[v].size() == 1)
+        places.visit_within(positions[v], widest, [&](std::size_t k, double) {
+          const std::size_t w = places.order()[k];
+          offer(bridge(v, w, graph_), v, w);
+          offer(bridge(v, w, graph_), w, v);
+        });
+    nearest.erase(std::remove_if(nearest.begin(), nearest.end(),
+                                 [](const Bridge& gap) { return gap.a == gap.b; }),
+                  nearest.end());
+    return nearest;
+  }
+
+private:
+  /// Longest path in the component of a vertex; 0 if that is no fragment.
+  double span(std::size_t v) const { return span_[components_.representative(v)]; }
+
+  /// Whether the component of `v` is a fragment of that of `w`.
+  bool is_fragment_of(std::size_t v, std::size_t w) const
+  {
+    const Component& a = components_.of(v);
+    // What is longer along one path than in all its side branches is one limb.
+    const bool is_one_limb = span(v) > 0.5 * a.curve.length();
+    const double most = is_one_limb ? options_.limb_share : options_.fragment_share;
+    return a.points < most * components_.of(w).points;
+  }
+
+  const Curve_options& options_;
+  const Skeleton_graph& graph_;
+  Measured_components components_;
+  std::vector<std::vector<std::size_t>> adjacency_;
+  std::vector<double> span_; ///< At each representative.
+};
 
 /// Part 3d: joins fragments, pieces of limbs behind something that hid the rest from the scanner,
-/// to what they are near. A fragment was not seen from all sides (what was is complete), has few
-/// points beside the component that it is joined to, and is longer than the gap. Components count
-/// as they are, without what is joined to them: otherwise a forest would grow together. The bridges
-/// lead from a tip, the shorter ones come first, and none closes a cycle. O(n log n), times the
-/// vertices within the length of the longest fragment.
+/// each to the nearest component that it may be a piece of. A fragment was not seen from all sides
+/// (what was is complete), has few points beside the component that it is joined to (fewer if it
+/// branches, as a tree of its own does), and the gap is not much longer than what is seen of it.
+/// Since each is joined to one, none joins two trees of a forest that it hangs between; since that
+/// one has more points, none closes a cycle. O(n log n), times the vertices within the greatest
+/// gap.
 /// \param points number of points of each vertex
 inline void join_fragments(Skeleton_graph& graph, const std::vector<double>& points,
                            const Curve_options& options)
 {
-  add_forest(graph, bridges_of_fragments(graph, points, options));
+  for(const Bridge& added : Fragments(graph, points, options).bridges())
+    graph.edges.emplace_back(added.a, added.b);
 }
 
 } // namespace internal
