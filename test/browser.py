@@ -10,9 +10,10 @@ from selenium import webdriver
 from selenium.webdriver.common.utils import is_connectable
 from selenium.webdriver.support.ui import WebDriverWait
 
+# By a pipe, not by a port: a minimal system knows no host `localhost`.
 SWITCHES = """--headless --no-sandbox --disable-gpu --use-gl=angle --use-angle=swiftshader
   --enable-unsafe-swiftshader --disable-quic --no-first-run --disable-background-networking
-  --disable-component-update --disable-sync --window-size=1500,1000"""
+  --disable-component-update --disable-sync --remote-debugging-pipe --window-size=1500,1000"""
 
 
 # Software rendering on a busy machine may take seconds a frame; nothing is judged by this.
