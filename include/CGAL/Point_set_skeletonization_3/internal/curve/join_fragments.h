@@ -24,7 +24,7 @@ namespace internal {
 class Fragments
 {
 public:
-  /// Refers to the first argument.
+  /// Refers to the graph and the options.
   /// \param points number of points of each vertex
   Fragments(const Skeleton_graph& graph, const std::vector<double>& points,
             const Curve_options& options)
