@@ -17,13 +17,10 @@ struct Curve_options
   /// a cluster of outliers, unless it is a fragment.
   double stray_share = 0.01;
 
-  /// Share of the points of another component, in [0, 1], up to which a component may be a fragment
-  /// of it; what has more is a shape of its own, as the next tree of a forest.
-  double fragment_share = 0.1;
-
-  /// The same for a single limb, which is less of a shape of its own; what has more is the next one
-  /// of a row of posts.
-  double limb_share = 0.3;
+  /// Share of the points of another component, in [0, 1], up to which a single limb may be a fragment
+  /// of it; what has more is the next one of a row of posts. What branches must have fewer, by its
+  /// length in lengths of its longest path: it may be a shape of its own, as the next tree.
+  double fragment_share = 0.3;
 
   /// Greatest gap between a fragment and what it is a piece of, > 0, in lengths of the longest path
   /// in the fragment: of plants scanned from one place 68 % are in one piece with 1, 82 % with 2.
@@ -70,8 +67,7 @@ struct Curve_options
   void check() const
   {
     CGAL_precondition(stray_share >= 0 && stray_share < 1);
-    CGAL_precondition(fragment_share >= 0 && fragment_share <= 1);
-    CGAL_precondition(limb_share >= 0 && limb_share <= 1 && fragment_gap > 0);
+    CGAL_precondition(fragment_share >= 0 && fragment_share <= 1 && fragment_gap > 0);
     CGAL_precondition(limb_evidence >= 0 && limb_evidence <= 1);
     CGAL_precondition(slenderness >= 0 && least_points >= 0);
     CGAL_precondition(widest_gap >= 0 && thin_limb >= 0 && thin_gap >= 0);
@@ -85,7 +81,6 @@ struct Curve_options
   {
     visit("stray_share", stray_share);
     visit("fragment_share", fragment_share);
-    visit("limb_share", limb_share);
     visit("fragment_gap", fragment_gap);
     visit("limb_evidence", limb_evidence);
     visit("slenderness", slenderness);

@@ -31,11 +31,10 @@ public:
     : options_(options), graph_(graph), components_(graph, points), adjacency_(graph.adjacency()),
       span_(graph.vertices.size(), 0)
   {
-    const double most = (std::max)(options.limb_share, options.fragment_share);
     for(std::size_t v = 0; v < span_.size(); ++v) {
       const Component& component = components_.of(v);
       if(components_.representative(v) == v && component.curve.is_open() &&
-         component.points < most * components_.largest().points)
+         component.points < options.fragment_share * components_.largest().points)
         span_[v] = longest_path(v, graph, adjacency_);
     }
   }
@@ -73,14 +72,13 @@ private:
   /// Longest path in the component of a vertex; 0 if that is no fragment.
   double span(std::size_t v) const { return span_[components_.representative(v)]; }
 
-  /// Whether the component of `v` is a fragment of that of `w`.
+  /// Whether the component of `v` is a fragment of that of `w`: it has few points, fewer the more it
+  /// branches. Its length, in lengths of its longest path, is about how many limbs it has.
   bool is_fragment_of(std::size_t v, std::size_t w) const
   {
     const Component& a = components_.of(v);
-    // What is longer along one path than in all its side branches is one limb.
-    const bool is_one_limb = span(v) > 0.5 * a.curve.length();
-    const double most = is_one_limb ? options_.limb_share : options_.fragment_share;
-    return a.points < most * components_.of(w).points;
+    return a.points * a.curve.length() <
+           options_.fragment_share * span(v) * components_.of(w).points;
   }
 
   const Curve_options& options_;
@@ -92,8 +90,8 @@ private:
 
 /// Part 3d: joins fragments, pieces of limbs behind something that hid the rest from the scanner,
 /// each to the nearest component that it may be a piece of. A fragment was not seen from all sides
-/// (what was is complete), has few points beside the component that it is joined to (fewer if it
-/// branches, as a tree of its own does), and the gap is not much longer than what is seen of it.
+/// (what was is complete), has few points beside the component that it is joined to (fewer the more
+/// it branches, as a tree of its own does), and the gap is not much longer than what is seen of it.
 /// Since each is joined to one, none joins two trees of a forest that it hangs between; since that
 /// one has more points, none closes a cycle. O(n log n), times the vertices within the greatest
 /// gap.
