@@ -72,8 +72,8 @@ private:
   /// Longest path in the component of a vertex; 0 if that is no fragment.
   double span(std::size_t v) const { return span_[components_.representative(v)]; }
 
-  /// Whether the component of `v` is a fragment of that of `w`: it has few points, fewer the more it
-  /// branches. Its length, in lengths of its longest path, is about how many limbs it has.
+  /// Whether the component of `v` is a fragment of that of `w`: it has few points, fewer the more
+  /// it branches. Its length, in lengths of its longest path, is about how many limbs it has.
   bool is_fragment_of(std::size_t v, std::size_t w) const
   {
     const Component& a = components_.of(v);
