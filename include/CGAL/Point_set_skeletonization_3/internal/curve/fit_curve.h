@@ -11,6 +11,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/bridge_gaps.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/centre_curve.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/continue_limbs.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/extend_open_tips.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/join_fragments.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/refine_curve.h>
@@ -90,8 +91,7 @@ public:
   /// Centres the graph, moves the tips to the ends of limbs and measures the radii.
   void centre()
   {
-    centre_vertices();
-    extend();
+    extend(centre_vertices());
     const std::vector<double> distances = centre_vertices();
     measure_radii();
     for(std::size_t v = 0; v < distances.size(); ++v)
@@ -138,13 +138,15 @@ private:
       concurrency_);
   }
 
-  void extend()
+  /// Moves the tips to the ends of limbs. `spreads` is what centring returned.
+  void extend(const std::vector<double>& spreads)
   {
     const std::vector<std::vector<Vector3>> points = points_of_vertices();
     measure_radii();
     if(noise_ > 0)
       correct_radii(points);
     extend_tips(graph_, points, [this](const Vector3& q) { return is_inside(q); });
+    extend_open_tips(graph_, points, spreads, options_);
     resample();
   }
 

@@ -54,7 +54,7 @@ struct Grid_options
 
   /// Number of cells, at least 8, up to which detail is worth more than smoothness: a cloud too
   /// small for that many has cells of fewer points, but of no fewer than `least_points_per_cell`.
-  std::size_t minimum_cells = 1500;
+  std::size_t minimum_cells = 4000;
 
   /// Three cells for four points. With one cell for each point, noise cannot be told from shape: at
   /// 2000 points, 70 % of the shapes of `quality generated` are right with it, 88 % with this.
