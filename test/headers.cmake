@@ -2,6 +2,7 @@
 
 # A program that has all of the package from its headers. What it takes to compile is not the point.
 add_executable(header_only headers/header_only.cpp)
+compile_one_at_a_time(header_only)
 target_link_libraries(header_only PRIVATE development_header_only)
 target_compile_options(header_only PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang>:-O0>)
 add_test(NAME header_only COMMAND header_only)

@@ -7,6 +7,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/branches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/extend_open_tips.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/refine_curve.h>
 
 #include <CGAL/number_type_config.h>
@@ -226,6 +227,63 @@ TEST_CASE("A tip moves out until its ball reaches the end of the limb")
                     Vector3(9, -radius, 0)};
   extend_tips(graph, surface, everywhere);
   CHECK(graph.vertices.back().position == before.vertices.back().position);
+}
+
+namespace {
+
+// The end of a leaf, three points wide, on an arc that continues the x axis from (10, 0, 0); `length` is
+// that along the arc. Those that `is_seen(s)`, s from 0 at the tip of the curve.
+template <typename Is_seen>
+std::vector<Vector3> end_of_leaf(int length, const Is_seen& is_seen)
+{
+  constexpr double radius = 10;
+  std::vector<Vector3> result;
+  for(int s = 0; s <= length; ++s)
+    if(is_seen(s))
+      for(int z = -1; z <= 1; ++z)
+        result.emplace_back(10 + radius * std::sin(s / radius), radius * (1 - std::cos(s / radius)), z);
+  return result;
+}
+
+// The x axis from 0 to 10 after extension through the points of its tip.
+Skeleton_graph extended_leaf(const std::vector<Vector3>& points, double open)
+{
+  Skeleton_graph graph = path(11, 0.5, straight);
+  for(Skeleton_graph::Vertex& vertex : graph.vertices) {
+    vertex.resolution = 1;
+    vertex.open = open;
+  }
+  std::vector<std::vector<Vector3>> points_of_vertices(graph.vertices.size());
+  points_of_vertices.back() = points;
+  extend_open_tips(graph, points_of_vertices, std::vector<double>(graph.vertices.size(), 0.5),
+                   Curve_options());
+  return graph;
+}
+
+} // namespace
+
+TEST_CASE("The tip of a leaf goes on through its points to their end, but not over a gap or back")
+{
+  constexpr int length = 6;
+  constexpr double open = 1, closed = 0;
+  const auto all = [](int) { return true; };
+  const std::vector<Vector3> leaf = end_of_leaf(length, all);
+  const Skeleton_graph before = extended_leaf({}, open);
+  const Skeleton_graph after = extended_leaf(leaf, open);
+  REQUIRE(after.vertices.size() > before.vertices.size());
+  // One of the last three points; and it is still one branch.
+  CHECK(std::find(leaf.end() - 3, leaf.end(), after.vertices.back().position) != leaf.end());
+  CHECK(branches(after).size() == 1);
+  for(std::size_t v = 0; v < before.vertices.size(); ++v)
+    CHECK(after.vertices[v].position == before.vertices[v].position);
+
+  const auto tip_of = [](const Skeleton_graph& graph) { return graph.vertices.back().position; };
+  CHECK(tip_of(extended_leaf(leaf, closed)) == tip_of(before)); // has an inside
+  const auto before_gap = [](int s) { return s <= 2 || s > 5; };
+  const Vector3 at_gap = tip_of(extended_leaf(end_of_leaf(10, before_gap), open));
+  CHECK(at_gap.x() == Approx(10 + 10 * std::sin(0.2)));
+  CHECK(tip_of(extended_leaf({Vector3(9, 0, 0), Vector3(8, 0, 0), Vector3(7, 0, 0)}, open)) ==
+        tip_of(before));
 }
 
 TEST_CASE("A tip points along its branch, not along its last edge")

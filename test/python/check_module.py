@@ -35,7 +35,7 @@ def cross(size):
 class ModuleTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.points = cross(4000)
+        cls.points = cross(8000)
         cls.skeleton = skeletonize(cls.points)
 
     def assert_same(self, a, b):

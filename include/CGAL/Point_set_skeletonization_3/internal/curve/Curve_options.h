@@ -53,11 +53,9 @@ struct Curve_options
   /// bend by at most.
   double aligned = 0.8;
 
-  /// Radii; distance of the vertices of the result where the surface is known finely enough, > 0.
+  /// Radii; distance of the vertices of the result where the surface is known finely enough, > 0,
+  /// and half the thickness of the slab whose points are the cross-section at one.
   double step = 0.3;
-
-  /// Radii; half the thickness of the slab whose points are one cross-section, > 0.
-  double half_width = 0.25;
 
   /// Radii; centring halves waves of 2 pi times this length and removes shorter ones, >= 0. Limbs
   /// do not undulate within their own width.
@@ -72,7 +70,7 @@ struct Curve_options
     CGAL_precondition(slenderness >= 0 && least_points >= 0);
     CGAL_precondition(widest_gap >= 0 && thin_limb >= 0 && thin_gap >= 0);
     CGAL_precondition(aligned > 0 && aligned <= 1);
-    CGAL_precondition(step > 0 && half_width > 0 && stiffness >= 0);
+    CGAL_precondition(step > 0 && stiffness >= 0);
   }
 
   /// Calls `visit(name, value)` for every option.
@@ -90,7 +88,6 @@ struct Curve_options
     visit("thin_gap", thin_gap);
     visit("aligned", aligned);
     visit("step", step);
-    visit("half_width", half_width);
     visit("stiffness", stiffness);
   }
 };

@@ -227,7 +227,7 @@ private:
   {
     // Wide enough for a dozen points around a thin limb, narrow enough for varying thickness.
     const double half_width =
-      (std::max)(graph_.vertices[v].resolution, options_.half_width * radius);
+      (std::max)(graph_.vertices[v].resolution, options_.step * radius);
     // Points of the cross-section may belong to vertices further along the limb, not to other
     // limbs.
     constexpr double reach = 2; // radii
