@@ -8,6 +8,8 @@
 #include "catch2.h"
 #include "generator/clouds.h"
 #include "generator/families.h"
+#include "generator/scanned_families.h"
+#include "generator/scanner.h"
 #include "graph_counts.h"
 #include "inside_share.h"
 #include "skeleton_checks.h"
@@ -99,4 +101,21 @@ TEST_CASE("What else a scanner does: exact and centred")
   const Skeleton skeleton = skeleton_of(shape, variant);
   check_counts(skeleton, shape);
   check_centred(skeleton, shape, 0.15);
+}
+
+TEST_CASE("Twigs of a few points across are no noise: most tips of a sparsely scanned tree are found")
+{
+  const unsigned int seed = 2001; // 24 of 57 tips as long as the thickness of twigs coarsened the cells
+  CAPTURE(seed);
+  const shapes::Known_shape tree = shapes::scanned_shape("tree", seed);
+  constexpr int places = 6;
+  std::vector<Kernel::Point_3> points;
+  for(const shapes::Vector& p : shapes::scan(tree, {5000, places, 0, 0, 0}, seed).points)
+    points.emplace_back(p.x(), p.y(), p.z());
+  Skeleton skeleton;
+  REQUIRE(CGAL::extract_l1_medial_skeleton(points, skeleton));
+  const Graph_counts counts = count_graph(skeleton);
+  CHECK(counts.components == 1);
+  CHECK(counts.cycles == 0);
+  CHECK(3 * counts.ends > 2 * tree.ends);
 }

@@ -127,6 +127,14 @@ public:
     return noise_.strength > 0 && noise_.size > 0 ? radii_[noise_.size] : 0;
   }
 
+  /// Whether most components are on lines, which are no noise. \pre the noise is measured
+  bool is_mostly_lines()
+  {
+    const std::vector<char> is_on_line = components_on_lines(*space_);
+    const auto lines = std::count(is_on_line.begin(), is_on_line.end(), char(true));
+    return 2 * static_cast<std::size_t>(lines) > is_on_line.size();
+  }
+
   /// Returns the components left. Those that move into one cell of this edge length are merged. To
   /// be called once. \pre the noise is measured
   Consolidated_mixture run(double cell_size)
@@ -433,8 +441,8 @@ private:
 };
 
 /// Part 2a: returns the mixture without noise and outliers. Components that move into one cell of
-/// edge length `cell_size` are merged, or of a coarser grid if the noise is much wider than a cell;
-/// 0: none are. O(n log n). \pre there is a component
+/// edge length `cell_size` are merged, or of a coarser grid if the noise is much wider than a cell
+/// (unless most are on lines: what looks like noise is the thickness of twigs); 0: none are. O(n log n). \pre there is a component
 inline Consolidated_mixture consolidate(const Gaussians& mixture, double cell_size,
                                         const Consolidation_options& options,
                                         Concurrency concurrency)
@@ -446,7 +454,7 @@ inline Consolidated_mixture consolidate(const Gaussians& mixture, double cell_si
     coarser = options.resolution * fine.measure();
     // Cells that are hardly wider would only move the borders between the components.
     constexpr double worthwhile = 1.2;
-    if(!(cell_size > 0 && coarser > worthwhile * cell_size))
+    if(!(cell_size > 0 && coarser > worthwhile * cell_size) || fine.is_mostly_lines())
       return fine.run(cell_size);
   }
   const Merged_gaussians merged = merged_by_cell(mixture, coarser);
