@@ -39,10 +39,14 @@ class ReportTest(BrowserTest):
 
     def cell(self, input_name, method):
         """The gallery's cell, in sight and drawn."""
-        found = self.run_script(
-            "return [...document.querySelectorAll('.cell canvas')].find((canvas) =>"
-            " canvas.row.input === arguments[0] && canvas.row.method === arguments[1])",
-            input_name, method)
+        def canvas():
+            return self.run_script(
+                "return [...document.querySelectorAll('.cell canvas')].find((canvas) =>"
+                " canvas.row.input === arguments[0] && canvas.row.method === arguments[1])",
+                input_name, method)
+
+        self.wait_for(canvas)  # on a busy machine the gallery may not be there yet
+        found = canvas()
         self.run_script("arguments[0].scrollIntoView({block: 'center'})", found)
         self.wait_for(lambda: "drawn" in found.get_attribute("class"))
         return found
