@@ -38,8 +38,8 @@ macro(find_what_is_needed_for left_out result)
   endforeach()
 endmacro()
 
-# Compilers of these targets take 1.1 to 1.8 GB each, of others up to 1.1: with Ninja one of them at a
-# time, so that three jobs fit into 4 GB.
+# Compilers of these targets take 1.2 to 1.8 GB each, of others up to 1.3: with Ninja one of them at a
+# time. Not those of precompiled headers, which much waits for.
 set_property(GLOBAL APPEND PROPERTY JOB_POOLS point_set_skeletonization_3_large=1)
 function(compile_one_at_a_time)
   foreach(target IN LISTS ARGN)
