@@ -100,7 +100,7 @@ TEST_CASE("What was seen from all sides, or is no small part, is no fragment")
 
 TEST_CASE("What branches is sooner a shape of its own than what is one limb")
 {
-  for(const double branch : {0.02, 0.15}) {
+  for(const double branch : {0.01, 0.15}) {
     CAPTURE(branch);
     Skeleton_graph graph;
     add_line(graph, Vector3(-2, 0, 0), Vector3(2, 0, 0), 0);
@@ -115,7 +115,7 @@ TEST_CASE("What branches is sooner a shape of its own than what is one limb")
       graph.edges.emplace_back(middle, first);
     }
     const double in_piece = static_cast<double>(graph.vertices.size() - piece);
-    std::vector<double> points(graph.vertices.size(), 0.15 * static_cast<double>(piece) / in_piece);
+    std::vector<double> points(graph.vertices.size(), 0.2 * static_cast<double>(piece) / in_piece);
     std::fill_n(points.begin(), piece, 1.0);
     const std::size_t before = graph.edges.size();
     join_fragments(graph, points, Curve_options());

@@ -231,8 +231,8 @@ TEST_CASE("A tip moves out until its ball reaches the end of the limb")
 
 namespace {
 
-// The end of a leaf, three points wide, on an arc that continues the x axis from (10, 0, 0); `length` is
-// that along the arc. Those that `is_seen(s)`, s from 0 at the tip of the curve.
+// The end of a leaf, three points wide, on an arc of a length that continues the x axis from
+// (10, 0, 0): the points that `is_seen(s)`, s from 0 at the tip of the curve.
 template <typename Is_seen>
 std::vector<Vector3> end_of_leaf(int length, const Is_seen& is_seen)
 {
@@ -241,7 +241,8 @@ std::vector<Vector3> end_of_leaf(int length, const Is_seen& is_seen)
   for(int s = 0; s <= length; ++s)
     if(is_seen(s))
       for(int z = -1; z <= 1; ++z)
-        result.emplace_back(10 + radius * std::sin(s / radius), radius * (1 - std::cos(s / radius)), z);
+        result.emplace_back(10 + radius * std::sin(s / radius), radius * (1 - std::cos(s / radius)),
+                            z);
   return result;
 }
 

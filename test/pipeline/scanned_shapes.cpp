@@ -103,9 +103,9 @@ TEST_CASE("What else a scanner does: exact and centred")
   check_centred(skeleton, shape, 0.15);
 }
 
-TEST_CASE("Twigs of a few points across are no noise: most tips of a sparsely scanned tree are found")
+TEST_CASE("Twigs of a few points across are no noise: most tips of a sparse scan are found")
 {
-  const unsigned int seed = 2001; // 24 of 57 tips as long as the thickness of twigs coarsened the cells
+  const unsigned int seed = 2001; // 24 of 57 tips while the thickness of twigs coarsened the cells
   CAPTURE(seed);
   const shapes::Known_shape tree = shapes::scanned_shape("tree", seed);
   constexpr int places = 6;

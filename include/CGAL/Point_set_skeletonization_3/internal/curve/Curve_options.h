@@ -17,9 +17,9 @@ struct Curve_options
   /// a cluster of outliers, unless it is a fragment.
   double stray_share = 0.01;
 
-  /// Share of the points of another component, in [0, 1], up to which a single limb may be a fragment
-  /// of it; what has more is the next one of a row of posts. What branches must have fewer, by its
-  /// length in lengths of its longest path: it may be a shape of its own, as the next tree.
+  /// Share of the points of another component, in [0, 1], up to which a single limb may be a
+  /// fragment of it; what has more is the next one of a row of posts. What branches must have fewer,
+  /// by its length in lengths of its longest path: it may be a shape of its own, as the next tree.
   double fragment_share = 0.3;
 
   /// Greatest gap between a fragment and what it is a piece of, > 0, in lengths of the longest path

@@ -69,8 +69,8 @@ inline std::vector<Vector3> longest_path_from_ball(const Vector3& center, double
   return path;
 }
 
-/// Continues limbs whose other side was not seen (leaves, twigs of a few points) to the end of their
-/// points: no separator cuts the last piece of a limb, and there is no inside that a straight
+/// Continues limbs whose other side was not seen (leaves, twigs of a few points) to the end of
+/// their points: no separator cuts the last piece of a limb, and there is no inside that a straight
 /// continuation could stay in. The path leads through the points of the tip, ahead and without a
 /// gap. O(n log n).
 /// \param points the surface points of each vertex

@@ -53,9 +53,9 @@ struct Grid_options
   static constexpr double cells_across_limb = 3;
 
   /// Number of cells, at least 8, up to which detail is worth more than smoothness: a cloud too
-  /// small for that many has cells of fewer points, but of no fewer than `least_points_per_cell`. Of
-  /// scanned trees with 5000 points 79 % are found with 1500, 90 % with this; closed shapes of 3000
-  /// and 5000 points are right as often and nearer to their axes.
+  /// small for that many has cells of fewer points, but of no fewer than `least_points_per_cell`.
+  /// Of scanned trees with 5000 points 79 % are found with 1500, 90 % with this; closed shapes of
+  /// 3000 and 5000 points are right about as often, and nearer to their axes.
   std::size_t minimum_cells = 4000;
 
   /// Three cells for four points. With one cell for each point, noise cannot be told from shape: at
