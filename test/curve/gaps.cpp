@@ -77,10 +77,32 @@ Skeleton_graph arc(double missing, double open, double evidence)
   return graph;
 }
 
+/// The surface points of vertices that have none.
+std::vector<std::vector<Vector3>> nothing(const Skeleton_graph& graph)
+{
+  return std::vector<std::vector<Vector3>>(graph.vertices.size());
+}
+
 std::size_t loops_of_continued(Skeleton_graph graph)
 {
-  continue_limbs(graph, Curve_options());
+  continue_limbs(graph, nothing(graph), Curve_options());
   return number_of_loops(graph);
+}
+
+/// Number of limbs joined of two that point at each other, from x = -`length` to 0 and, as long as
+/// `other`, from x = `gap`; the points of their tips cover `seen` of the gap from both sides.
+std::size_t joined(double length, double gap, double other, double seen)
+{
+  Skeleton_graph graph;
+  add_line(graph, Vector3(-length, 0, 0), Vector3(0, 0, 0), 1);
+  const std::size_t tip = graph.vertices.size() - 1;
+  add_line(graph, Vector3(gap, 0, 0), Vector3(gap + other, 0, 0), 1);
+  std::vector<std::vector<Vector3>> points = nothing(graph);
+  points[tip].assign(3, Vector3(seen, 0, 0));
+  points[tip + 1].assign(3, Vector3(gap - seen, 0, 0));
+  const std::size_t before = graph.edges.size();
+  continue_limbs(graph, points, Curve_options());
+  return graph.edges.size() - before;
 }
 
 } // namespace
@@ -148,6 +170,20 @@ TEST_CASE("What is joined to a component does not make others its fragments")
   CHECK(graph.edges.size() == before);
 }
 
+TEST_CASE("Limbs are joined over a gap that is shorter than both together")
+{
+  CHECK(joined(0.5, 0.55, 0.1, 0) == 1);
+  CHECK(joined(0.1, 0.55, 0.5, 0) == 1); // whichever is the longer
+  CHECK(joined(0.5, 0.65, 0.1, 0) == 0);
+}
+
+TEST_CASE("A gap is one between surface points, which lie beyond the tips")
+{
+  CHECK(joined(0.5, 0.7, 0.1, 0.03) == 1); // 0.64 are missing, 0.66 were seen
+  CHECK(joined(0.5, 0.7, 0.1, 0.02) == 0);
+  CHECK(joined(0.5, 0.7, 0.1, 0.6) == 1); // the points of one tip overlap those of the other
+}
+
 TEST_CASE("An arc becomes a circle if it is longer than the gap, and both tips point over it")
 {
   CHECK(loops_of_continued(arc(30, 1, 1)) == 1);
@@ -167,7 +203,7 @@ TEST_CASE("A limb goes on to the limb that it points at, not to one beside it")
   add_line(graph, Vector3(1.3, -1, 0), Vector3(1.3, 1, 0), 1); // in front
   add_line(graph, Vector3(0, 0.2, 0), Vector3(1, 0.2, 0), 1); // beside, and in front of the same
   const std::size_t before = graph.edges.size();
-  continue_limbs(graph, Curve_options());
+  continue_limbs(graph, nothing(graph), Curve_options());
   REQUIRE(graph.edges.size() == before + 2);
   for(std::size_t e = before; e < graph.edges.size(); ++e) {
     const auto [a, b] = graph.edges[e];

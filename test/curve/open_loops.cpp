@@ -84,11 +84,11 @@ double evidence_near(const Vector3& place, double reach, const Patches& patches,
 
 } // namespace
 
-TEST_CASE("There is evidence for a tube and for a line, not for scattered points")
+TEST_CASE("There is evidence for a tube, a line and a strip, not for scattered points")
 {
   constexpr double radius = 0.1, spacing = 0.025;
   constexpr int around = 24, along = 60;
-  Patches tube, line, scattered;
+  Patches tube, line, strip, scattered;
   for(int k = 0; k < along; ++k) {
     const Vector3 on_axis = (k - along / 2) * spacing * Vector3::UnitZ();
     for(int l = 0; l < around; ++l) {
@@ -97,6 +97,8 @@ TEST_CASE("There is evidence for a tube and for a line, not for scattered points
       tube.push_back(patch_at(on_axis + radius * outward, outward, spacing));
     }
     line.push_back(patch_at(on_axis, Vector3::UnitX(), spacing));
+    for(int l = -2; l <= 2; ++l) // one side of a wire
+      strip.push_back(patch_at(on_axis + l * spacing * Vector3::UnitY(), Vector3::UnitX(), spacing));
   }
   const unsigned int seed = GENERATE(1u, 2u, 3u);
   CAPTURE(seed);
@@ -110,6 +112,7 @@ TEST_CASE("There is evidence for a tube and for a line, not for scattered points
   const Vector3 origin = Vector3::Zero();
   CHECK(evidence_near(origin, 1.1 * radius, tube, radius) > 0.8);
   CHECK(evidence_near(origin, 2.5 * spacing, line, 0) > 0.5);
+  CHECK(evidence_near(origin, 2.1 * spacing, strip, 0) > 0.5);
   CHECK(evidence_near(origin, 0.15, scattered, radius) < most);
 }
 

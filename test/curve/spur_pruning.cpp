@@ -121,7 +121,10 @@ std::vector<bool> spurs_one_by_one(const Random_graph& input, const Curve_option
       std::size_t points = 0;
       for(std::size_t k = 1; k + (has_tip ? 0 : 1) < branch.size(); ++k)
         points += input.points[branch[k]].size();
-      const bool is_thin = static_cast<double>(points) < options.least_points;
+      const std::size_t at_ends =
+        std::min(input.points[branch.front()].size(), input.points[branch.back()].size());
+      const bool is_thin =
+        static_cast<double>(points) < options.least_points && (has_tip || points < at_ends);
       // Without the inside of a bridge, that is isolated and the rest in one part more.
       const std::size_t inside = branch.size() - 2;
       if(!has_tip &&
@@ -165,6 +168,34 @@ TEST_CASE("The same branches are pruned as one by one, the least slender of all 
   CHECK(removed > 0);
   CHECK(kept > 0);
   CHECK(opened > 0);
+}
+
+TEST_CASE("A few points between two limbs are a part of a limb if these have no more, else a bridge")
+{
+  constexpr std::size_t length = 12, joint = 6;
+  const auto is_kept = [&](std::size_t points_of_limbs) {
+    Skeleton_graph graph; // two limbs side by side, and a vertex between their middles
+    for(std::size_t k = 0; k < 2 * length + 1; ++k) {
+      const double x = static_cast<double>(k % length);
+      graph.vertices.push_back({Vector3(x, k < length ? 0 : 2, 0), 1, 1, true});
+      if(k % length != 0)
+        graph.edges.emplace_back(k - 1, k);
+    }
+    const std::size_t between = 2 * length;
+    graph.vertices[between].position = Vector3(joint, 1, 0);
+    graph.edges.emplace_back(joint, between);
+    graph.edges.emplace_back(between, length + joint);
+    graph.edges.emplace_back(0, length); // a detour: without it, nothing is removed
+    Points points;
+    for(const Skeleton_graph::Vertex& vertex : graph.vertices)
+      points.emplace_back(points_of_limbs, vertex.position + Vector3(0, 0, 0.5));
+    points[between].resize(std::min<std::size_t>(3, points_of_limbs));
+    return !Spur_pruning(graph, points, Curve_options()).spurs()[between];
+  };
+  CHECK(is_kept(2));
+  CHECK(is_kept(3));
+  CHECK_FALSE(is_kept(4));
+  CHECK_FALSE(is_kept(12));
 }
 
 TEST_CASE("A graph without edges has no spurs")

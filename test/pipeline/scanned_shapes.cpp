@@ -65,6 +65,18 @@ void check_inside(const Skeleton& skeleton, const shapes::Known_shape& shape)
   CHECK(metrics::inside_share(skeleton, inside, step) == 1);
 }
 
+/// The counts of the skeleton of a scan without noise from some places.
+Graph_counts counts_of_scan(const shapes::Known_shape& shape, std::size_t size, int places,
+                            unsigned int seed)
+{
+  std::vector<Kernel::Point_3> points;
+  for(const shapes::Vector& p : shapes::scan(shape, {size, places, 0, 0, 0}, seed).points)
+    points.emplace_back(p.x(), p.y(), p.z());
+  Skeleton skeleton;
+  REQUIRE(CGAL::extract_l1_medial_skeleton(points, skeleton));
+  return count_graph(skeleton);
+}
+
 } // namespace
 
 TEST_CASE("Clean clouds: exact, centred and inside")
@@ -108,14 +120,18 @@ TEST_CASE("Twigs of a few points across are no noise: most tips of a sparse scan
   const unsigned int seed = 2001; // 24 of 57 tips while the thickness of twigs coarsened the cells
   CAPTURE(seed);
   const shapes::Known_shape tree = shapes::scanned_shape("tree", seed);
-  constexpr int places = 6;
-  std::vector<Kernel::Point_3> points;
-  for(const shapes::Vector& p : shapes::scan(tree, {5000, places, 0, 0, 0}, seed).points)
-    points.emplace_back(p.x(), p.y(), p.z());
-  Skeleton skeleton;
-  REQUIRE(CGAL::extract_l1_medial_skeleton(points, skeleton));
-  const Graph_counts counts = count_graph(skeleton);
+  const Graph_counts counts = counts_of_scan(tree, 5000, 6, seed);
   CHECK(counts.components == 1);
   CHECK(counts.cycles == 0);
   CHECK(3 * counts.ends > 2 * tree.ends);
+}
+
+TEST_CASE("Wires go on behind others that hide them: a frame scanned from one place has its loops")
+{
+  const unsigned int seed = GENERATE(711u, 713u, 714u); // 8 of 9, 11 of 11 and 4 of 5 if a limb had
+  CAPTURE(seed); // to be longer than a gap on each side, and gaps began where the curve ends
+  const shapes::Known_shape frame = shapes::scanned_shape("wire_frame", seed);
+  const Graph_counts counts = counts_of_scan(frame, 20000, 1, seed);
+  CHECK(counts.components == 1);
+  CHECK(counts.cycles == frame.cycles);
 }

@@ -199,7 +199,8 @@ private:
     sum_[v] -= neighbor;
   }
 
-  /// Whether a branch, without its junctions, has fewer surface points than any limb.
+  /// Whether a branch, without its junctions, has fewer surface points than any limb: than a ring
+  /// and, between two junctions, than these, which on lines of points have no rings either.
   bool is_thin(std::size_t way, bool has_tip) const
   {
     const std::size_t last = from(end_[way]);
@@ -209,7 +210,8 @@ private:
       points += surface_[v].size();
     if(v == last && has_tip)
       points += surface_[v].size();
-    return static_cast<double>(points) < options_.least_points;
+    return static_cast<double>(points) < options_.least_points &&
+           (has_tip || points < (std::min)(surface_[from(way)].size(), surface_[last].size()));
   }
 
   /// Whether the ends of a branch are not connected without it. A bridge remains one.

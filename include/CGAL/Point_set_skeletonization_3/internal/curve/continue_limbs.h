@@ -25,18 +25,14 @@ namespace internal {
 class Limb_continuation
 {
 public:
-  /// Refers to both arguments. O(n).
-  Limb_continuation(Skeleton_graph& graph, const Curve_options& options)
+  /// `surface[v]` are the surface points of vertex v. Refers to the other arguments. O(n).
+  Limb_continuation(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
+                    const Curve_options& options)
     : options_(options), graph_(graph), adjacency_(graph.adjacency()), limbs_(adjacency_.size())
   {
     for(std::size_t v = 0; v < adjacency_.size(); ++v)
-      if(is_tip(v)) {
-        limbs_[v].branch = follow(v, adjacency_[v][0], adjacency_);
-        limbs_[v].direction = tip_direction(v, graph_, adjacency_);
-        for(std::size_t k = 1; k < limbs_[v].branch.size(); ++k)
-          limbs_[v].curve.add(graph_.vertices[limbs_[v].branch[k - 1]],
-                              graph_.vertices[limbs_[v].branch[k]]);
-      }
+      if(is_tip(v))
+        limbs_[v] = limb(v, surface[v]);
   }
 
   /// Adds the bridges, at most one from each tip: first those between two tips, which tell more,
@@ -63,8 +59,24 @@ private:
   {
     Branch branch;
     Vector3 direction = Vector3::Zero();
+    double reach = 0; ///< How far its points lie beyond the tip.
     Curve_evidence curve;
+
+    /// The length along which it was seen.
+    double length() const { return curve.length() + reach; }
   };
+
+  /// The limb of a tip with some surface points.
+  Limb limb(std::size_t tip, const std::vector<Vector3>& points) const
+  {
+    Limb result;
+    result.branch = follow(tip, adjacency_[tip][0], adjacency_);
+    result.direction = tip_direction(tip, graph_, adjacency_);
+    result.reach = reach_beyond(graph_.vertices[tip].position, result.direction, points);
+    for(std::size_t k = 1; k < result.branch.size(); ++k)
+      result.curve.add(graph_.vertices[result.branch[k - 1]], graph_.vertices[result.branch[k]]);
+    return result;
+  }
 
   bool is_tip(std::size_t v) const { return adjacency_[v].size() == 1; }
 
@@ -73,24 +85,34 @@ private:
     const std::vector<Vector3> positions = positions_of(graph_);
     const Box_tree places(positions);
     std::vector<Bridge> result;
-    for(std::size_t v = 0; v < limbs_.size(); ++v)
-      places.visit_within(positions[v], limbs_[v].curve.length(), [&](std::size_t k, double) {
+    for(std::size_t v = 0; v < limbs_.size(); ++v) {
+      const Limb& limb = limbs_[v];
+      const double furthest = 2 * limb.length() + 2 * limb.reach; // the other one is no longer
+      places.visit_within(positions[v], furthest, [&](std::size_t k, double) {
         const std::size_t w = places.order()[k];
-        if(continues(v, w) && (is_tip(w) ? v < w && continues(w, v) : !is_on_limb(w, v)))
+        if(continues(v, w) && (is_tip(w) ? is_longer(v, w) && continues(w, v) : !is_on_limb(w, v)))
           result.push_back(bridge(v, w, graph_));
       });
+    }
     return result;
   }
 
-  /// Whether the limb of a tip goes on at another vertex.
+  /// Whether the limb of a tip goes on at another vertex. As much as is missing was seen of it and,
+  /// if the other is a tip too, of the limb behind the gap.
   bool continues(std::size_t tip, std::size_t w) const
   {
-    const Vector3 gap = graph_.vertices[w].position - graph_.vertices[tip].position;
-    const double length = gap.norm();
-    const Limb& limb = limbs_[tip];
-    return length < limb.curve.length() && limb.curve.is_open() &&
-           limb.curve.evidence() >= options_.limb_evidence &&
-           limb.direction.dot(gap) > options_.aligned * length;
+    const Vector3 bridge = graph_.vertices[w].position - graph_.vertices[tip].position;
+    const double length = bridge.norm();
+    const Limb &limb = limbs_[tip], &other = limbs_[w]; // that of `w` is empty if it is no tip
+    return length - limb.reach - other.reach < limb.length() + other.length() &&
+           limb.curve.is_open() && limb.curve.evidence() >= options_.limb_evidence &&
+           limb.direction.dot(bridge) > options_.aligned * length;
+  }
+
+  /// Whether the limb of a tip is the longer one of two, or as long and the first.
+  bool is_longer(std::size_t v, std::size_t w) const
+  {
+    return std::make_pair(limbs_[w].length(), v) < std::make_pair(limbs_[v].length(), w);
   }
 
   /// Whether a vertex is on the limb of a tip.
@@ -108,11 +130,13 @@ private:
 
 /// Part 3d: adds edges over gaps, from a tip to a vertex that it points at, or to a tip that points
 /// back. A limb needs evidence, must not have been seen from all sides (a tip that was ends there),
-/// and must be longer than the gap in front of it: as much as is missing was seen. Closes cycles.
-/// O(n log n), times the vertices within the length of a limb.
-inline void continue_limbs(Skeleton_graph& graph, const Curve_options& options)
+/// and what ends at a gap must be longer than the gap between its surface points: as much as is
+/// missing was seen. Closes cycles. `surface[v]` are the surface points of vertex v. O(n log n),
+/// times the vertices within twice the length of a limb.
+inline void continue_limbs(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
+                           const Curve_options& options)
 {
-  Limb_continuation(graph, options).run();
+  Limb_continuation(graph, surface, options).run();
 }
 
 } // namespace internal

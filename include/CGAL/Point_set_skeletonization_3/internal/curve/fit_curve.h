@@ -77,11 +77,12 @@ public:
     resample();
     measure_radii();
     const std::vector<std::size_t> vertex_of_sample = vertices_of_samples();
-    bridge_gaps(graph_, points_of_vertices(vertex_of_sample), options_);
+    const std::vector<std::vector<Vector3>> surface = points_of_vertices(vertex_of_sample);
+    bridge_gaps(graph_, surface, options_);
     const std::vector<double> points = numbers_of_points(vertex_of_sample);
     join_fragments(graph_, points, options_);
     if(is_frame)
-      continue_limbs(graph_, options_);
+      continue_limbs(graph_, surface, options_);
     drop(stray_vertices(graph_, points, options_.stray_share), vertex_of_sample);
     if(single_component)
       join_all(graph_);

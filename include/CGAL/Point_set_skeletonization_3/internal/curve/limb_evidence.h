@@ -41,14 +41,12 @@ public:
     if(patches.empty())
       return 0;
     const std::size_t step = (patches.size() + enough - 1) / enough;
-    double solid = 0, number = 0, width = 0;
+    double solid = 0, number = 0, half_width = vertex.resolution;
     for(std::size_t k = 0; k < patches.size(); k += step, ++number)
       solid += (std::max)(0.0, of_solid(patches[k]));
     for(std::size_t i : patches)
-      width += (surface_.patches[i].mean - vertex.position).norm();
-    width /= static_cast<double>(patches.size());
-    width = (std::max)(width, vertex.resolution);
-    return (std::max)(solid / number, of_line(vertex.position, width));
+      half_width = (std::max)(half_width, (surface_.patches[i].mean - vertex.position).norm());
+    return (std::max)(solid / number, of_line(vertex.position, half_width));
   }
 
 private:
