@@ -22,6 +22,8 @@
 #include <string>
 #include <vector>
 
+namespace scanned_shapes_test {
+
 using Kernel = CGAL::Simple_cartesian<double>;
 using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
 using shapes::Variant;
@@ -119,3 +121,5 @@ TEST_CASE("Twigs of a few points across are no noise: most tips of a sparsely sc
   CHECK(counts.cycles == 0);
   CHECK(3 * counts.ends > 2 * tree.ends);
 }
+
+} // namespace scanned_shapes_test
