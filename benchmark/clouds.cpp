@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+namespace clouds {
+
 namespace {
 
 struct Cloud
@@ -76,7 +78,7 @@ Layout layout()
 
 } // namespace
 
-void clouds::run(const Quality_options& options)
+void run(const Quality_options& options)
 {
   std::vector<Cloud> clouds;
   for(const std::string& argument : options.files)
@@ -84,3 +86,5 @@ void clouds::run(const Quality_options& options)
   const auto work = [&](std::size_t job) { return rows_of(clouds[job], options); };
   report(options, clouds.size(), work, layout());
 }
+
+} // namespace clouds

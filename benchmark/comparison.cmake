@@ -8,8 +8,8 @@ endif()
 file(GLOB sources CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" methods/*.cpp)
 list(REMOVE_ITEM sources ${quality_methods})
 add_library(compared_methods STATIC ${sources})
-target_link_libraries(compared_methods PUBLIC measured PRIVATE CGAL::Eigen3_support)
-target_precompile_headers(compared_methods REUSE_FROM measured)
+target_link_libraries(compared_methods PUBLIC measured PRIVATE with_precompiled)
+target_precompile_headers(compared_methods REUSE_FROM precompiled)
 compile_one_at_a_time(compared_methods)
 
 add_subdirectory(performance)
@@ -17,9 +17,9 @@ add_subdirectory(report)
 
 file(GLOB sources CONFIGURE_DEPENDS comparison/*.cpp)
 add_library(comparison STATIC ${sources} forked.cpp)
-target_link_libraries(comparison PUBLIC compared_methods PRIVATE CGAL::Eigen3_support
+target_link_libraries(comparison PUBLIC compared_methods PRIVATE with_precompiled
                                                                  nlohmann_json::nlohmann_json)
-target_precompile_headers(comparison REUSE_FROM measured)
+target_precompile_headers(comparison REUSE_FROM precompiled)
 compile_one_at_a_time(comparison)
 
 if(TARGET html_report)

@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+namespace detail {
+
 namespace {
 
 struct Tree
@@ -72,7 +74,7 @@ Layout layout()
 
 } // namespace
 
-void detail::run(const Quality_options& options)
+void run(const Quality_options& options)
 {
   const std::vector<Tree> trees = chosen_trees(options);
   const auto work = [&](std::size_t job) {
@@ -81,3 +83,5 @@ void detail::run(const Quality_options& options)
   };
   report(options, trees.size() * options.seeds, work, layout());
 }
+
+} // namespace detail

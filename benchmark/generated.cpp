@@ -18,6 +18,8 @@
 #include <string>
 #include <vector>
 
+namespace generated {
+
 namespace {
 
 /// Fills in what can be measured because the shape is known.
@@ -99,7 +101,7 @@ Layout layout()
 
 } // namespace
 
-void generated::run(const Quality_options& options)
+void run(const Quality_options& options)
 {
   const std::vector<std::string> families =
       chosen(options.families, shapes::family_names(), "family");
@@ -112,3 +114,5 @@ void generated::run(const Quality_options& options)
   };
   report(options, families.size() * options.seeds, work, layout());
 }
+
+} // namespace generated

@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+namespace meshes {
+
 namespace {
 
 /// Closed models among CGAL's sample data, with limbs, loops, or both.
@@ -140,9 +142,11 @@ Layout layout()
 
 } // namespace
 
-void meshes::run(const Quality_options& options)
+void run(const Quality_options& options)
 {
   const std::vector<std::string> files = chosen_files(options);
   const auto work = [&](std::size_t job) { return rows_of(files[job], options); };
   report(options, files.size(), work, layout());
 }
+
+} // namespace meshes

@@ -20,6 +20,8 @@
 #include <string>
 #include <vector>
 
+namespace scans {
+
 namespace {
 
 /// What a scanner does to the points. The noise is that of a cheap scanner, 2 mm on a plant of 2 m;
@@ -136,7 +138,7 @@ Layout layout()
 
 } // namespace
 
-void scans::run(const Quality_options& options)
+void run(const Quality_options& options)
 {
   if(!options.files.empty()) {
     const auto work = [&](std::size_t job) { return rows_of(options.files[job], options); };
@@ -149,3 +151,5 @@ void scans::run(const Quality_options& options)
   const auto work = [&](std::size_t job) { return rows_of(jobs[job], options); };
   report(options, jobs.size(), work, layout());
 }
+
+} // namespace scans

@@ -22,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+namespace sweep {
+
 namespace {
 
 namespace internal = CGAL::Point_set_skeletonization_3::internal;
@@ -100,7 +102,7 @@ std::vector<std::pair<std::string, double>> all_options()
 
 } // namespace
 
-void sweep::run(const Quality_options& options)
+void run(const Quality_options& options)
 {
   constexpr double share = 0.2;
   const std::vector<Cloud> all = clouds(options);
@@ -133,3 +135,5 @@ void sweep::run(const Quality_options& options)
     std::fflush(stdout);
   }
 }
+
+} // namespace sweep

@@ -1,6 +1,7 @@
 # What our own targets, programs and tests, are built with.
 find_package(TBB QUIET)
 include(CGAL_TBB_support)
+include(CGAL_Eigen3_support)
 
 add_library(our_warnings INTERFACE)
 # GCC's guesses about values come after inlining, so that it makes them about code inside Boost and CGAL
@@ -25,6 +26,14 @@ target_link_libraries(
   INTERFACE development_header_only
             $<TARGET_NAME_IF_EXISTS:Point_set_skeletonization_3::Point_set_skeletonization_3_compiled>)
 
+# A header precompiled once for the examples and the benchmark. A compiler takes it only with the macros
+# that it was made with, so all of them have the sample models' folder and Eigen as CGAL uses it.
+add_library(with_precompiled INTERFACE)
+target_link_libraries(with_precompiled INTERFACE development CGAL::Data CGAL::Eigen3_support)
+add_library(precompiled OBJECT EXCLUDE_FROM_ALL "${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp")
+target_link_libraries(precompiled PRIVATE with_precompiled)
+target_precompile_headers(precompiled PRIVATE "${PROJECT_SOURCE_DIR}/cmake/precompiled.h")
+
 # Looks for the packages that only some targets need. RESULT says whether all are there; if not, the user
 # is told what is left out.
 macro(find_what_is_needed_for left_out result)
@@ -37,6 +46,13 @@ macro(find_what_is_needed_for left_out result)
     endif()
   endforeach()
 endmacro()
+
+# The sources of these targets include much the same, which is what takes time: four of them are
+# compiled as one, in their order. Where two of them have the same name for something of their own, each
+# has it in a namespace. All at once would take more memory than anything else.
+function(compile_four_as_one)
+  set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 4)
+endfunction()
 
 # Compilers of these targets take 1.2 to 1.8 GB each, of others up to 1.3: with Ninja one of them at a
 # time. Not those of precompiled headers, which much waits for.

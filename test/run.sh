@@ -12,7 +12,9 @@ esac
 sh cmake/prepare.sh $purpose -DPoint_set_skeletonization_3_STRICT=ON \
   -DPoint_set_skeletonization_3_COMPARISON=$comparison
 echo "== Building what is tested"
-cmake --build build
+# One compiler per core: Ninja runs more, and those that wait for each other, as they take much memory,
+# are then left over at the end.
+cmake --build build --parallel "$(nproc)"
 echo "== Testing"
 cd build
 exec ctest --output-on-failure --parallel 2

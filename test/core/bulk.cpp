@@ -15,6 +15,8 @@
 #include <stdexcept>
 #include <vector>
 
+namespace bulk_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 
 namespace {
@@ -124,3 +126,5 @@ TEST_CASE("The first point that is not finite is named")
   points[57].z() = std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH(bulk_of(points), ContainsSubstring("point 31 "));
 }
+
+} // namespace bulk_test

@@ -17,6 +17,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace moments_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 
 namespace {
@@ -149,3 +151,5 @@ TEST_CASE("A quantile has its share of the values below it")
   }
   CHECK(quantile({7}, 0.5) == 7);
 }
+
+} // namespace moments_test

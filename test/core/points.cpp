@@ -23,6 +23,8 @@
 #include <string>
 #include <vector>
 
+namespace points_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 
 namespace {
@@ -180,3 +182,5 @@ TEST_CASE("The L1-median has the least sum of distances, and outliers do not mov
   CHECK((l1_median(points, closest) - median).norm() < 2); // the mean moves by 90
   CHECK(l1_median(std::vector<Vector3>(3, Vector3(1, 2, 3)), closest).isApprox(Vector3(1, 2, 3)));
 }
+
+} // namespace points_test

@@ -17,6 +17,8 @@
 #include <thread>
 #include <vector>
 
+namespace progress_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 
 namespace {
@@ -114,3 +116,5 @@ TEST_CASE("The time is limited from the first report on")
   sleep(60);
   CHECK_THROWS_AS(limited(0.5), Cancelled);
 }
+
+} // namespace progress_test

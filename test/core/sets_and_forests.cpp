@@ -16,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+namespace sets_and_forests_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 
 namespace {
@@ -145,3 +147,5 @@ TEST_CASE("A spanning forest keeps what was joined before")
     CHECK(indices_of(minimum_spanning_forest(sets, size, links)) == expected);
   }
 }
+
+} // namespace sets_and_forests_test

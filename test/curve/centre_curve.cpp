@@ -20,6 +20,8 @@
 #include <functional>
 #include <vector>
 
+namespace centre_curve_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 
 namespace {
@@ -434,3 +436,5 @@ TEST_CASE("Any number of threads centres in the same way")
       REQUIRE(other.graph.vertices[v].position == expected.graph.vertices[v].position);
   });
 }
+
+} // namespace centre_curve_test

@@ -19,6 +19,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace gaps_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 
 namespace {
@@ -211,3 +213,5 @@ TEST_CASE("A limb goes on to the limb that it points at, not to one beside it")
     CHECK(graph.vertices[b].position.x() == 1.3);
   }
 }
+
+} // namespace gaps_test

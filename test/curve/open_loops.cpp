@@ -20,6 +20,8 @@
 #include <random>
 #include <vector>
 
+namespace open_loops_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 
 namespace {
@@ -152,3 +154,5 @@ TEST_CASE("Of two loops with a common side each is judged alone, and all stays c
   for(std::size_t v = 0; v < 11; ++v)
     CHECK(parts.find(v) == parts.find(0));
 }
+
+} // namespace open_loops_test

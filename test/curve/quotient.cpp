@@ -22,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+namespace quotient_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 using surfaces::Tube;
 using surfaces::tube_radius;
@@ -306,3 +308,5 @@ TEST_CASE("Caps go, but for those of a single cross-section")
   single.add_branch(first, Vector3::UnitZ(), 2, 1);
   CHECK(single.pruned().graph.vertices.size() == 3);
 }
+
+} // namespace quotient_test

@@ -20,6 +20,8 @@
 #include <utility>
 #include <vector>
 
+namespace refine_curve_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 
 namespace {
@@ -295,3 +297,5 @@ TEST_CASE("A tip points along its branch, not along its last edge")
   CHECK(direction.norm() == Approx(1));
   CHECK(direction.x() > 0.9);
 }
+
+} // namespace refine_curve_test

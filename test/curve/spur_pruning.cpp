@@ -19,6 +19,8 @@
 #include <set>
 #include <vector>
 
+namespace spur_pruning_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 
 namespace {
@@ -205,3 +207,5 @@ TEST_CASE("A graph without edges has no spurs")
   CHECK(Spur_pruning(graph, Points(3), Curve_options()).spurs() == std::vector<bool>(3, false));
   CHECK(Spur_pruning(Skeleton_graph(), Points(), Curve_options()).spurs().empty());
 }
+
+} // namespace spur_pruning_test

@@ -10,6 +10,8 @@
 #include <random>
 #include <vector>
 
+namespace two_edge_connected_components_test {
+
 namespace internal = CGAL::Point_set_skeletonization_3::internal;
 
 using internal::Skeleton_graph;
@@ -68,3 +70,5 @@ TEST_CASE("Parts between bridges of random graphs, with few and many cycles")
     check_bridges(graph);
   }
 }
+
+} // namespace two_edge_connected_components_test

@@ -19,6 +19,8 @@
 #include <string>
 #include <vector>
 
+namespace known_shapes_test {
+
 using namespace shapes;
 
 namespace {
@@ -331,3 +333,5 @@ TEST_CASE("The density falls by a factor of eight")
     CHECK(first / middle == Approx(middle / last).epsilon(0.35)); // smoothly
   });
 }
+
+} // namespace known_shapes_test

@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+namespace scanner_test {
+
 using namespace shapes;
 
 namespace {
@@ -248,3 +250,5 @@ TEST_CASE("Pulses are lost in runs")
   CHECK(static_cast<double>(scan(shape, options, seed).points.size()) ==
         Approx((1 - share) * all).epsilon(0.1));
 }
+
+} // namespace scanner_test

@@ -17,6 +17,8 @@
 #include <thread>
 #include <vector>
 
+namespace callback_test {
+
 using Kernel = CGAL::Simple_cartesian<double>;
 using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
 using Points = std::vector<Kernel::Point_3>;
@@ -177,3 +179,5 @@ TEST_CASE("Reading a large cloud can be cancelled, and leaves the output as it w
     }
   }
 }
+
+} // namespace callback_test

@@ -23,6 +23,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace kernels_test {
+
 using shapes::Vector;
 
 namespace {
@@ -182,3 +184,5 @@ TEST_CASE("The stages work with numbers of single precision, too")
   check_valid(skeleton, samples.samples.size());
   CHECK(num_edges(skeleton) + 1 == num_vertices(skeleton));
 }
+
+} // namespace kernels_test

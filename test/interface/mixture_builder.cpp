@@ -32,6 +32,8 @@
 #include <utility>
 #include <vector>
 
+namespace mixture_builder_test {
+
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Points = std::vector<Point>;
@@ -488,3 +490,5 @@ TEST_CASE("A point read once more finds the vertex that it has in memory")
   CHECK(assignment(cloud.back()) == assignment.none);
   CHECK(CGAL::Point_assignment_3<Kernel>()(cloud.front()) == assignment.none);
 }
+
+} // namespace mixture_builder_test

@@ -23,6 +23,8 @@
 #include <string>
 #include <vector>
 
+namespace preconditions_test {
+
 #ifdef CGAL_NO_PRECONDITIONS
 #error "This test needs preconditions."
 #endif
@@ -200,3 +202,5 @@ TEST_CASE("A builder has room for at least a thousand components")
   CHECK_THROWS_AS(Builder(box, 999), CGAL::Precondition_exception);
   CHECK_NOTHROW(Builder(box, 1000));
 }
+
+} // namespace preconditions_test

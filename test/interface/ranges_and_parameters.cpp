@@ -30,6 +30,8 @@
 #include <utility>
 #include <vector>
 
+namespace ranges_and_parameters_test {
+
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
@@ -300,3 +302,5 @@ TEST_CASE("The published method takes any range with a point map, and any graph"
   for(const auto v : boost::make_iterator_range(vertices(plain)))
     CHECK(bare[v].point == plain[v].point);
 }
+
+} // namespace ranges_and_parameters_test

@@ -28,6 +28,8 @@
 #include <string>
 #include <vector>
 
+namespace stages_test {
+
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Points = std::vector<Point>;
@@ -330,3 +332,5 @@ TEST_CASE("A mean that is not finite is refused by its position")
   CHECK(complaint([&] { CGAL::compute_medial_samples(mixture, samples); }).find("point 17 ") == 0);
   CHECK(complaint([&] { CGAL::link_medial_samples(samples, skeleton); }).find("point 23 ") == 0);
 }
+
+} // namespace stages_test

@@ -23,6 +23,8 @@
 #include <utility>
 #include <vector>
 
+namespace steps_test {
+
 using Kernel = CGAL::Simple_cartesian<double>;
 using Points = std::vector<Kernel::Point_3>;
 using Skeletonization = CGAL::L1_medial_skeletonization_3<Kernel>;
@@ -216,3 +218,5 @@ TEST_CASE("An object may be moved between its steps, but not copied")
   REQUIRE(CGAL::extract_l1_medial_skeleton(points, skeleton));
   CHECK(have_same_bits(extracted(third), skeleton));
 }
+
+} // namespace steps_test

@@ -22,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+namespace curve_skeleton_test {
+
 namespace fs = std::filesystem;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
@@ -226,3 +228,5 @@ TEST_CASE("counts of a skeleton")
   CHECK(count_graph(square).ends == 0);
   CHECK(count_graph(Skeleton()).components == 0);
 }
+
+} // namespace curve_skeleton_test

@@ -22,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+namespace moments_test {
+
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Builder = CGAL::Gaussian_mixture_builder_3<Kernel>;
@@ -155,3 +157,5 @@ TEST_CASE("A single wrong bit is noticed")
     CHECK(!complaint(bad).empty());
   }
 }
+
+} // namespace moments_test

@@ -21,6 +21,8 @@
 #include <random>
 #include <vector>
 
+namespace tubes_test {
+
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace internal = CGAL::Point_set_skeletonization_3::internal;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -107,3 +109,5 @@ TEST_CASE("neighbouring parts of any tube do not intersect")
     checked_tube(path_of(path));
   }
 }
+
+} // namespace tubes_test

@@ -25,6 +25,8 @@
 #include <random>
 #include <vector>
 
+namespace metrics_test {
+
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
@@ -307,3 +309,5 @@ TEST_CASE("The metrics that need no radius apply to graphs that have none")
   CHECK(metrics::inside_share(
             skeleton, [](const metrics::Point&) { return true; }, 0.1) == 1);
 }
+
+} // namespace metrics_test

@@ -17,6 +17,8 @@
 #include <limits>
 #include <vector>
 
+namespace off_centre_test {
+
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
@@ -104,3 +106,5 @@ TEST_CASE("A skeleton askew to the limb is as centred as its points are")
   const double last = 0.5 - 0.5 / static_cast<double>(ratios.size()); // its x
   CHECK(furthest == Approx(last * std::sqrt(2.) / std::pow(2., 0.25)).margin(1e-3));
 }
+
+} // namespace off_centre_test

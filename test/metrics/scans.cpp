@@ -15,6 +15,8 @@
 #include <limits>
 #include <vector>
 
+namespace scans_test {
+
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
@@ -112,3 +114,5 @@ TEST_CASE("A skeleton without a cloud is not supported")
   CHECK(metrics::unsupported_share(alone, tree, 0.15) == 1); // it has no direction
   CHECK(metrics::unsupported_share(alone, tree, 1.1) == 0);
 }
+
+} // namespace scans_test

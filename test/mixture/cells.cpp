@@ -19,6 +19,8 @@
 #include <set>
 #include <vector>
 
+namespace cells_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 
 namespace {
@@ -164,3 +166,5 @@ TEST_CASE("The cell around a cell, or a point, is that of whole numbers")
     CHECK(x < (cell[0] + 1) * grid.cell_size());
   }
 }
+
+} // namespace cells_test

@@ -15,6 +15,8 @@
 #include <random>
 #include <vector>
 
+namespace exact_moments_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 
 namespace {
@@ -108,3 +110,5 @@ TEST_CASE("As many points as may ever be, in the corners of the box")
   CHECK(found.mean == Vector3::Zero());
   CHECK(found.covariance == Matrix3(corner * corner.transpose()));
 }
+
+} // namespace exact_moments_test

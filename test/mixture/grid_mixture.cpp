@@ -21,6 +21,8 @@
 #include <set>
 #include <vector>
 
+namespace grid_mixture_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 using Points = std::vector<Vector3>;
 using Levels = std::vector<Grid_level>;
@@ -328,3 +330,5 @@ TEST_CASE("No points, one point, equal points")
     }
   }
 }
+
+} // namespace grid_mixture_test

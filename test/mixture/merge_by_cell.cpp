@@ -13,6 +13,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace merge_by_cell_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 
 namespace {
@@ -82,3 +84,5 @@ TEST_CASE("Without a size of cells nothing is merged")
   }
   CHECK(merged_by_cell({}, 1).gaussians.empty());
 }
+
+} // namespace merge_by_cell_test

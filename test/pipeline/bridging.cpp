@@ -18,6 +18,8 @@
 #include <utility>
 #include <vector>
 
+namespace bridging_test {
+
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -131,3 +133,5 @@ TEST_CASE("A single component of many parts has the cycles of the parts")
   CHECK(single.components == 1);
   CHECK(single.cycles == 3);
 }
+
+} // namespace bridging_test

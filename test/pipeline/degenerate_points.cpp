@@ -19,6 +19,8 @@
 #include <string>
 #include <vector>
 
+namespace degenerate_points_test {
+
 using Kernel = CGAL::Simple_cartesian<double>;
 using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
 using shapes::Vector;
@@ -254,3 +256,5 @@ TEST_CASE("The largest box and boxes of denormal extent")
     CHECK(num_vertices(skeleton_of(corners, published)) >= 1);
   }
 }
+
+} // namespace degenerate_points_test

@@ -20,6 +20,8 @@
 #include <cstddef>
 #include <utility>
 
+namespace detail_test {
+
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -106,3 +108,5 @@ TEST_CASE("Limbs as thick as the smallest feature are found, with fewer patches"
     }
   }
 }
+
+} // namespace detail_test

@@ -14,6 +14,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace determinism_test {
+
 using Kernel = CGAL::Simple_cartesian<double>;
 using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
 using Points = std::vector<Kernel::Point_3>;
@@ -62,3 +64,5 @@ TEST_CASE("Any number of threads gives the same bits")
       });
     }
 }
+
+} // namespace determinism_test

@@ -19,6 +19,8 @@
 #include <random>
 #include <vector>
 
+namespace equivariance_test {
+
 using Kernel = CGAL::Simple_cartesian<double>;
 using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
 using shapes::Vector;
@@ -197,3 +199,5 @@ TEST_CASE("Turning the points keeps the topology and turns the curve")
     CHECK(distances.back() < 0.75 * radius);
   }
 }
+
+} // namespace equivariance_test

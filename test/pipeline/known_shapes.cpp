@@ -18,6 +18,8 @@
 #include <random>
 #include <vector>
 
+namespace known_shapes_test {
+
 using Kernel = CGAL::Simple_cartesian<double>;
 using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
 using shapes::Vector;
@@ -220,3 +222,5 @@ TEST_CASE("The published method makes a single tree of everything")
     CHECK(number_of_indices(skeleton) == 3000);
   }
 }
+
+} // namespace known_shapes_test

@@ -17,6 +17,8 @@
 #include <utility>
 #include <vector>
 
+namespace loops_test {
+
 using shapes::Vector;
 
 namespace {
@@ -141,3 +143,5 @@ TEST_CASE("A bare circle is a loop")
   CHECK(counts.cycles == 1);
   CHECK(counts.ends == 0);
 }
+
+} // namespace loops_test

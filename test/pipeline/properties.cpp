@@ -22,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+namespace properties_test {
+
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
@@ -404,3 +406,5 @@ TEST_CASE("The running time can be limited")
     CHECK(num_vertices(skeleton) > 3);
   }
 }
+
+} // namespace properties_test

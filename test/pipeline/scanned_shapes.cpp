@@ -22,6 +22,8 @@
 #include <string>
 #include <vector>
 
+namespace scanned_shapes_test {
+
 using Kernel = CGAL::Simple_cartesian<double>;
 using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
 using shapes::Variant;
@@ -135,3 +137,5 @@ TEST_CASE("Wires go on behind others that hide them: a frame scanned from one pl
   CHECK(counts.components == 1);
   CHECK(counts.cycles == frame.cycles);
 }
+
+} // namespace scanned_shapes_test

@@ -18,6 +18,8 @@
 #include <random>
 #include <vector>
 
+namespace attraction_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 using Points = std::vector<Vector3>;
 
@@ -331,3 +333,5 @@ TEST_CASE("The fast exponential is one up to its end and 0 beyond")
     CHECK(decay(x, 7)[i] == (x[i] < 7 ? decay(x, 16)[i] : 0));
   }
 }
+
+} // namespace attraction_test

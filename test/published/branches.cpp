@@ -20,6 +20,8 @@
 #include <tuple>
 #include <vector>
 
+namespace branches_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 
 namespace {
@@ -427,3 +429,5 @@ TEST_CASE("Merging gives the tree of the shortest links")
                                  component_of[graph.edges[e].second]));
   CHECK(length == Approx(length_of_greedy_links(mixture, branches)));
 }
+
+} // namespace branches_test

@@ -18,6 +18,8 @@
 #include <random>
 #include <vector>
 
+namespace hierarchical_em_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 using Points = std::vector<Vector3>;
 
@@ -385,3 +387,5 @@ TEST_CASE("Threads do not change a bit")
       CHECK(has_same_bits(actual[level], expected[level]));
   });
 }
+
+} // namespace hierarchical_em_test

@@ -14,6 +14,8 @@
 #include <random>
 #include <vector>
 
+namespace projection_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 using Points = std::vector<Vector3>;
 
@@ -166,3 +168,5 @@ TEST_CASE("Threads do not change a bit of the projection")
     }
   });
 }
+
+} // namespace projection_test

@@ -15,6 +15,8 @@
 #include <random>
 #include <vector>
 
+namespace surroundings_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 using Points = std::vector<Vector3>;
 
@@ -224,3 +226,5 @@ TEST_CASE("The growth factor stays in [0, 1] and is 1 among few samples")
   }
   CHECK(growth_factor_of_first(Points(10, Vector3(1, 2, 3)), 1) == 1); // no direction at all
 }
+
+} // namespace surroundings_test

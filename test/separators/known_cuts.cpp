@@ -19,6 +19,8 @@
 #include <utility>
 #include <vector>
 
+namespace known_cuts_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 
 namespace {
@@ -121,3 +123,5 @@ TEST_CASE("Around a separator that is known to cut there is no path; in a tree a
   CHECK(known > 10 * unknown);
   CHECK(around > 0);
 }
+
+} // namespace known_cuts_test

@@ -31,6 +31,8 @@
 #include <utility>
 #include <vector>
 
+namespace separators_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 using surfaces::across;
 using surfaces::around;
@@ -413,3 +415,5 @@ TEST_CASE("A torus is cut all around, in disjoint rings, by any number of thread
     }
   });
 }
+
+} // namespace separators_test

@@ -14,6 +14,8 @@
 #include <set>
 #include <vector>
 
+namespace waiting_candidates_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 
 namespace {
@@ -79,3 +81,5 @@ TEST_CASE("Those candidates come first that share no patch with an earlier one t
     CHECK(waiting.take_first().empty());
   }
 }
+
+} // namespace waiting_candidates_test

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <cstddef>
 
+namespace packets_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 
 namespace {
@@ -81,3 +83,5 @@ TEST_CASE("A packet is closer to a box if one of its places is")
   CHECK(packet.squared_norm()[5] == 25);
   CHECK(packet.to(Eigen::Vector3f(1, 2, 3)).dot(Eigen::Vector3f(0, 1, 1))[4] == 5);
 }
+
+} // namespace packets_test

@@ -18,6 +18,8 @@
 #include <set>
 #include <vector>
 
+namespace trees_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 
 namespace {
@@ -206,3 +208,5 @@ TEST_CASE("Any number of threads builds the same tree and finds the same neighbo
     CHECK(nearest_points(tree, points, concurrency) == nearest);
   });
 }
+
+} // namespace trees_test

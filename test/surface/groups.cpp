@@ -22,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+namespace groups_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 using shapes::Random;
 
@@ -236,3 +238,5 @@ TEST_CASE("Contraction keeps weight, mean, area and adjacency")
       }
   }
 }
+
+} // namespace groups_test

@@ -22,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+namespace patches_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 using surfaces::patches_of_sphere;
 using surfaces::tree_of;
@@ -228,3 +230,5 @@ TEST_CASE("A torus is read as one oriented surface, by any number of threads")
     CHECK(surface.winding_number(Vector3::Zero()) < 0.25);
   });
 }
+
+} // namespace patches_test

@@ -19,6 +19,8 @@
 #include <limits>
 #include <vector>
 
+namespace trees_test {
+
 using namespace CGAL::Point_set_skeletonization_3::internal;
 using surfaces::ellipsoid;
 using surfaces::tree_of;
@@ -139,3 +141,5 @@ TEST_CASE("The winding number of patches that coincide is finite, and 0 far away
     CHECK(std::abs(winding_number(Vector3(0.4, 0.3, 0.2))) < 1e-6);
   }
 }
+
+} // namespace trees_test
