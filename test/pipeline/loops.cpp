@@ -8,6 +8,8 @@
 #include "graph_counts.h"
 #include "shapes.h"
 
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/pipeline/link_samples.h>
 #include <CGAL/extract_l1_medial_skeleton.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -36,6 +38,33 @@ Graph_counts counts_of(const std::vector<Vector>& points)
   CGAL::Curve_skeleton_3<Kernel> skeleton;
   REQUIRE(CGAL::extract_l1_medial_skeleton(shapes::to_points<Kernel>(points), skeleton));
   return count_graph(skeleton);
+}
+
+using CGAL::Point_set_skeletonization_3::internal::Skeleton_graph;
+
+/// A chain of 20 edges of length 1, closed or not, and one of `tail` edges that begins at its
+/// second vertex.
+Skeleton_graph ring_with_tail(std::size_t tail, bool is_closed)
+{
+  constexpr std::size_t size = 20;
+  const double radius = 0.5 / std::sin(shapes::pi / size);
+  Skeleton_graph result;
+  for(std::size_t v = 0; v <= size; ++v) {
+    result.vertices.emplace_back();
+    result.vertices.back().position =
+      radius * around(2 * shapes::pi * static_cast<double>(v) / size);
+    if(v > 0)
+      result.edges.emplace_back(v - 1, v);
+  }
+  if(is_closed)
+    result.edges.emplace_back(size, 0);
+  for(std::size_t k = 0; k < tail; ++k) {
+    result.edges.emplace_back(k == 0 ? 1 : result.vertices.size() - 1, result.vertices.size());
+    result.vertices.emplace_back();
+    result.vertices.back().position =
+      result.vertices[1].position + static_cast<double>(k + 1) * Vector::UnitZ();
+  }
+  return result;
 }
 
 } // namespace
@@ -130,6 +159,18 @@ TEST_CASE("Thin limbs that cross make loops in a frame, not in a tree")
     CHECK(tree_counts.components == 1);
     CHECK(tree_counts.cycles == 0);
   }
+}
+
+TEST_CASE("A frame leaves loose less than a quarter of what is loose in a tree")
+{
+  using CGAL::Point_set_skeletonization_3::internal::is_frame;
+  const auto frame = [](std::size_t tail) { return ring_with_tail(tail, true); };
+  const auto tree = [](std::size_t tail) { return ring_with_tail(tail, false); };
+  CHECK(is_frame(frame(0), tree(0)));
+  CHECK(is_frame(frame(6), tree(6)));
+  CHECK_FALSE(is_frame(frame(7), tree(7)));
+  CHECK_FALSE(is_frame(frame(0), frame(0))); // both say the same
+  CHECK_FALSE(is_frame(tree(0), frame(0)));
 }
 
 TEST_CASE("A bare circle is a loop")

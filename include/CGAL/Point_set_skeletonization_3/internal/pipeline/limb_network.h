@@ -7,8 +7,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_evidence.h>
-#include <CGAL/Point_set_skeletonization_3/internal/curve/count_tips_and_loops.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/limb_evidence.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/loose_ends.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/open_loops.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
@@ -38,8 +38,8 @@ struct Limb_network
 enum class Limb_reading
 {
   frame,      ///< Adjacent patches without medial balls are in one limb: contacts close loops.
-  tree,       ///< They are if they are coplanar, in a sheet, whose narrow holes are of the data; others
-              ///< are joined where nothing else joins them: only resolved limbs close loops.
+  tree,       ///< They are if they are coplanar, in a sheet, whose narrow holes are of the data;
+              ///< others are joined where nothing else joins them: only resolved limbs close loops.
   known_tree, ///< The same, and nothing closes a loop.
 };
 

@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_LOOSE_ENDS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_LOOSE_ENDS_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/two_edge_connected_components.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// Number of free ends. O(n).
+inline std::size_t number_of_tips(const Skeleton_graph& graph)
+{
+  std::size_t result = 0;
+  for(const std::vector<std::size_t>& neighbors : graph.adjacency())
+    result += neighbors.size() == 1 ? 1 : 0;
+  return result;
+}
+
+/// The length of all edges that are on no loop. O(n log n).
+inline double loose_length(const Skeleton_graph& graph)
+{
+  const std::vector<std::size_t> part = two_edge_connected_components(graph);
+  double result = 0;
+  for(const Skeleton_graph::Edge& e : graph.edges)
+    if(part[e.first] != part[e.second])
+      result += (graph.vertices[e.first].position - graph.vertices[e.second].position).norm();
+  return result;
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_LOOSE_ENDS_H
