@@ -52,9 +52,10 @@ namespace CGAL {
 ///       \cgalParamDefault{2 over the cube root of the number of points} \cgalParamNEnd
 ///     \cgalParamNBegin{delta_h} \cgalParamDescription{\f$\Delta h\f$, the growth of a kernel per
 ///       iteration where its surroundings are isotropic; in units of h_0, >= 0}
-///       \cgalParamType{`double`} \cgalParamDefault{0.5, tuned 1/3} \cgalParamNEnd
-///     \cgalParamNBegin{mu} \cgalParamDescription{\f$\mu\f$, the weight of the repulsion; in [0,
-///       0.5)} \cgalParamType{`double`} \cgalParamDefault{0.2} \cgalParamNEnd
+///       \cgalParamType{`double`} \cgalParamDefault{0.5, tuned 0.4} \cgalParamNEnd
+///     \cgalParamNBegin{mu} \cgalParamDescription{\f$\mu\f$, the weight of the repulsion, tuned
+///       along curves only; in [0, 0.5)} \cgalParamType{`double`}
+///       \cgalParamDefault{0.2, tuned 0.3} \cgalParamNEnd
 ///     \cgalParamNBegin{halt} \cgalParamDescription{whether the projection halts when no more
 ///       samples come to lie on curves; `number_of_iterations` is then a bound, by default twice as
 ///       large}
@@ -80,7 +81,7 @@ namespace CGAL {
 ///       \cgalParamNEnd
 ///     \cgalParamNBegin{d_max} \cgalParamDescription{\f$d_{max}\f$, the greatest distance of
 ///       adjacent components of a branch; in diagonals of the bounding box, > 0}
-///       \cgalParamType{`double`} \cgalParamDefault{0.15} \cgalParamNEnd
+///       \cgalParamType{`double`} \cgalParamDefault{0.15, tuned 0.1} \cgalParamNEnd
 ///   \cgalNamedParamsEnd
 ///
 /// \pre all parameters are in their ranges

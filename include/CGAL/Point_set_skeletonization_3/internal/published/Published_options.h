@@ -111,6 +111,13 @@ struct Published_projection_options
   /// pushes them off their middle.
   double repulsion = 0.2;
 
+  /// Whether the repulsion acts along curves only: F2 is multiplied by C of Eq. 13 over its trace,
+  /// so that each principal direction gets its share of the variance. Eq. 2 as printed has no such
+  /// factor, but Sec. 5 calls the repulsion driven by a principal component analysis, and Huang et
+  /// al. (2013) multiply it by sigma. Without it, samples that gather on a curve push each other
+  /// off it, across, where their kernels then find variance and grow on until limbs collapse.
+  bool directed_repulsion = false;
+
   std::size_t samples_of(std::size_t points) const
   {
     constexpr std::size_t fraction = 20, least = 500;
@@ -177,9 +184,12 @@ struct Published_options
   {
     Published_options result;
     result.projection.iterations = 60;
-    result.projection.kernel_growth = 1.0 / 3;
+    result.projection.kernel_growth = 0.4;
+    result.projection.directed_repulsion = true;
+    result.projection.repulsion = 0.3;
     result.samples.flatness = 0.05;
     result.branches.alpha_min = 120;
+    result.branches.d_max = 0.1;
     return result;
   }
 
