@@ -236,9 +236,9 @@ inline void add_published_options(CLI::App& app, Published_symbols& symbols)
   add("--levels", symbols.levels, none, std::size_t(100), "levels of the EM [3]");
   add("--flatness", symbols.flatness, tiny, any, "regularisation of points' Gaussians [0.3]");
   add("--sample-flatness", symbols.sample_flatness, tiny, any, "of samples' [0.3, 0.05]");
-  add("--alpha-min", symbols.alpha_min, 0.0, 179.99, "least angle of a branch, degrees [90, 120]");
+  add("--alpha-min", symbols.alpha_min, 0.0, 179.99, "least angle of a branch, degrees [90]");
   add("--b-min", symbols.b_min, std::size_t(2), many, "least components of a branch [5]");
-  add("--d-max", symbols.d_max, tiny, any, "longest edge of a branch, in diagonals [0.15, 0.1]");
+  add("--d-max", symbols.d_max, tiny, any, "longest edge of a branch, in diagonals [0.15]");
 }
 
 inline void add_output_option(CLI::App& app, Options& options)

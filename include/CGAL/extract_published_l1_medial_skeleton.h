@@ -67,7 +67,8 @@ namespace CGAL {
 ///       hierarchical EM; in standard deviations, > 0} \cgalParamType{`double`}
 ///       \cgalParamDefault{2.2} \cgalParamNEnd
 ///     \cgalParamNBegin{levels} \cgalParamDescription{number of levels of the hierarchical EM
-///       above the points} \cgalParamType{`std::size_t`} \cgalParamDefault{3} \cgalParamNEnd
+///       above the points; tuned, the mixture of the samples has two more}
+///       \cgalParamType{`std::size_t`} \cgalParamDefault{3} \cgalParamNEnd
 ///     \cgalParamNBegin{flatness} \cgalParamDescription{variance added to the Gaussian of a point
 ///       in every direction, as a fraction of its mean variance; > 0} \cgalParamType{`double`}
 ///       \cgalParamDefault{0.3} \cgalParamNEnd
@@ -75,13 +76,13 @@ namespace CGAL {
 ///       sample} \cgalParamType{`double`} \cgalParamDefault{0.3, tuned 0.05} \cgalParamNEnd
 ///     \cgalParamNBegin{alpha_min} \cgalParamDescription{\f$\alpha_{min}\f$, the least angle of
 ///       adjacent segments of a branch; in degrees, in [0, 180), where 180 is straight}
-///       \cgalParamType{`double`} \cgalParamDefault{90, tuned 120} \cgalParamNEnd
+///       \cgalParamType{`double`} \cgalParamDefault{90} \cgalParamNEnd
 ///     \cgalParamNBegin{b_min} \cgalParamDescription{\f$b_{min}\f$, the least number of
 ///       components of a branch; >= 2} \cgalParamType{`std::size_t`} \cgalParamDefault{5}
 ///       \cgalParamNEnd
 ///     \cgalParamNBegin{d_max} \cgalParamDescription{\f$d_{max}\f$, the greatest distance of
 ///       adjacent components of a branch; in diagonals of the bounding box, > 0}
-///       \cgalParamType{`double`} \cgalParamDefault{0.15, tuned 0.1} \cgalParamNEnd
+///       \cgalParamType{`double`} \cgalParamDefault{0.15} \cgalParamNEnd
 ///   \cgalNamedParamsEnd
 ///
 /// \pre all parameters are in their ranges

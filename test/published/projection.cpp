@@ -204,3 +204,19 @@ TEST_CASE("Threads do not change a bit of the projection")
     }
   });
 }
+
+TEST_CASE("More levels make fewer components of the samples, and so fewer vertices")
+{
+  const Points points = tube(8000, 0.05, 11);
+  Published_options options;
+  const auto vertices = [&] {
+    const std::vector<L1_sample> samples = projected(points, options).samples;
+    return published_skeleton(points, samples, options, Concurrency::sequential, {})
+      .graph.vertices.size();
+  };
+  const std::size_t as_many_levels = vertices();
+  options.further_sample_levels = 1;
+  const std::size_t fewer = vertices();
+  CHECK(fewer < as_many_levels);
+  CHECK(fewer > 1);
+}

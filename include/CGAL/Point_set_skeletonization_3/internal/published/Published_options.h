@@ -175,6 +175,12 @@ struct Published_options
   Nearest_neighbor_options points;  ///< Gaussians of the points, for M.
   Nearest_neighbor_options samples; ///< Gaussians of the samples, for M_X.
   Hierarchical_em_options em;       ///< Of both mixtures.
+
+  /// Levels of M_X beyond those of M. Where samples lie on curves, the angles of a branch are those
+  /// of the curve only if components are further apart than the samples scatter across it: with
+  /// components as close as that, branches end at once, and whole trunks are lost.
+  std::size_t further_sample_levels = 0;
+
   Published_projection_options projection;
   Branch_detection_options branches;
 
@@ -188,8 +194,14 @@ struct Published_options
     result.projection.directed_repulsion = true;
     result.projection.repulsion = 0.3;
     result.samples.flatness = 0.05;
-    result.branches.alpha_min = 120;
-    result.branches.d_max = 0.1;
+    result.further_sample_levels = 2;
+    return result;
+  }
+
+  Hierarchical_em_options em_of_samples() const
+  {
+    Hierarchical_em_options result = em;
+    result.number_of_levels += further_sample_levels;
     return result;
   }
 
