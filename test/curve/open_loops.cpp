@@ -69,7 +69,8 @@ Patch patch_at(const Vector3& place, const Vector3& normal, double spacing)
 
 /// The evidence at a vertex in the middle of the patches that are nearest to a place, within
 /// `reach`. Samples are as far behind their patches as `depth`.
-double evidence_near(const Vector3& place, double reach, const Patches& patches, double depth)
+double evidence_near(const Vector3& place, double reach, const Patches& patches, double depth,
+                     Strip kind_of_strip = Strip::side)
 {
   const Surface surface = surfaces::surface_of(patches);
   Samples samples;
@@ -80,7 +81,7 @@ double evidence_near(const Vector3& place, double reach, const Patches& patches,
     if((patches[i].mean - place).norm() < reach)
       members.push_back(i);
   REQUIRE(members.size() > 2);
-  return Limb_evidence(surface, samples)(
+  return Limb_evidence(surface, samples, kind_of_strip)(
     middle(members, patches, samples), members);
 }
 
@@ -115,6 +116,7 @@ TEST_CASE("There is evidence for a tube, a line and a strip, not for scattered p
   CHECK(evidence_near(origin, 1.1 * radius, tube, radius) > 0.8);
   CHECK(evidence_near(origin, 2.5 * spacing, line, 0) > 0.5);
   CHECK(evidence_near(origin, 2.1 * spacing, strip, 0) > 0.5);
+  CHECK(evidence_near(origin, 2.1 * spacing, strip, 0, Strip::leaf) < 0.5);
   CHECK(evidence_near(origin, 0.15, scattered, radius) < most);
 }
 

@@ -13,11 +13,15 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/stray_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/wave_fronts.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Ball_overlaps.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Separator_options.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <limits>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -55,6 +59,11 @@ std::size_t number_of_components(const Skeleton_graph& graph)
   for(const Skeleton_graph::Edge& e : graph.edges)
     result -= sets.join(e.first, e.second) ? 1 : 0;
   return result;
+}
+
+std::size_t number_of_cycles(const Skeleton_graph& graph)
+{
+  return graph.edges.size() + number_of_components(graph) - graph.vertices.size();
 }
 
 // All vertices have two neighbours, those of one cycle without double edges.
@@ -221,6 +230,88 @@ TEST_CASE("Where balls do not overlap, limbs that touch are joined once: there i
   CHECK(quotient.graph.edges.size() + 1 == quotient.graph.vertices.size());
 }
 
+TEST_CASE("Wave fronts in pieces of a tube leave it a tree, in those of a torus one cycle")
+{
+  const std::vector<int> rings = {5, 25};
+  for(const Tube& tube : {surfaces::tube, surfaces::torus}) {
+    const Patches patches = tube.patches();
+    const Surface_quotient quotient = quotient_of(tube, rings);
+    const auto with_fronts = [&](bool is_marked) {
+      return with_wave_fronts(quotient, patches, surfaces::samples_of(patches),
+                              adjacent_pairs(patches),
+                              std::vector<bool>(patches.size(), is_marked));
+    };
+    const Surface_quotient fronts = with_fronts(true), same = with_fronts(false);
+    CHECK(fronts.graph.vertices.size() > quotient.graph.vertices.size());
+    CHECK(number_of_components(fronts.graph) == 1);
+    CHECK(number_of_cycles(fronts.graph) == (tube.is_closed ? 1 : 0));
+    CHECK(same.graph.edges == quotient.graph.edges);
+    CHECK(same.vertex_of_patch == quotient.vertex_of_patch);
+    for(std::size_t i = 0; i < patches.size(); ++i) { // each patch is at its vertex
+      const auto& members = fronts.members[fronts.vertex_of_patch[i]];
+      CHECK(std::count(members.begin(), members.end(), i) == 1);
+    }
+  }
+}
+
+TEST_CASE("Wave fronts follow scattered points around a corner, where their middle is in the air")
+{
+  // A grid in the form of an L, of 24 x 4 x 4 patches and another 4 x 24 x 4.
+  constexpr int length = 24, width = 4;
+  Patches patches;
+  std::map<std::array<int, 3>, std::size_t> index;
+  for(int x = 0; x < length; ++x)
+    for(int y = 0; y < length; ++y)
+      for(int z = 0; z < width && (x < width || y < width); ++z) {
+        index[{x, y, z}] = patches.size();
+        Patch patch;
+        patch.mean = Vector3(x, y, z);
+        patch.spacing = patch.weight = patch.area = 1;
+        patches.push_back(patch);
+      }
+  for(const auto& [place, i] : index)
+    for(std::size_t axis = 0; axis < 3; ++axis)
+      for(int step : {-1, 1}) {
+        std::array<int, 3> beside = place;
+        beside[axis] += step;
+        const auto found = index.find(beside);
+        if(found != index.end())
+          patches[i].neighbors.push_back(found->second);
+      }
+  Samples samples;
+  for(Patch& patch : patches) {
+    std::sort(patch.neighbors.begin(), patch.neighbors.end());
+    samples.push_back({patch.mean, 0});
+  }
+  Surface_quotient piece;
+  piece.vertex_of_patch.assign(patches.size(), 0);
+  piece.members.resize(1);
+  for(std::size_t i = 0; i < patches.size(); ++i)
+    piece.members[0].push_back(i);
+  piece.graph.vertices = {middle(piece.members[0], patches, samples)};
+  const auto distance = [&](const Vector3& p) { // of the nearest patch
+    double result = std::numeric_limits<double>::infinity();
+    for(const Patch& patch : patches)
+      result = std::min(result, (patch.mean - p).norm());
+    return result;
+  };
+  const Skeleton_graph fronts =
+    with_wave_fronts(piece, patches, samples, adjacent_pairs(patches),
+                     std::vector<bool>(patches.size(), true))
+      .graph;
+  CHECK(number_of_components(fronts) == 1);
+  CHECK(number_of_cycles(fronts) == 0);
+  CHECK(distance(piece.graph.vertices[0].position) > 1);
+  for(const Skeleton_graph::Vertex& vertex : fronts.vertices)
+    CHECK(distance(vertex.position) < 1);
+  // From one end to the other, but for half a front.
+  double length_of_path = 0;
+  for(const Skeleton_graph::Edge& e : fronts.edges)
+    length_of_path +=
+      (fronts.vertices[e.first].position - fronts.vertices[e.second].position).norm();
+  CHECK(length_of_path > 1.5 * (length - width));
+}
+
 TEST_CASE("The middle of samples is not drawn away by one that went astray")
 {
   Samples samples;
@@ -275,8 +366,7 @@ TEST_CASE("A bridge of a few patches between two limbs is taken off, one of a li
     loop.quotient.graph.edges.emplace_back(end, 14);
     const Skeleton_graph pruned = loop.pruned().graph;
     CHECK(number_of_components(pruned) == 1);
-    const std::size_t cycles = pruned.edges.size() + 1 - pruned.vertices.size();
-    CHECK(cycles == (ring == 1 ? 0 : 1));
+    CHECK(number_of_cycles(pruned) == (ring == 1 ? 0 : 1));
   }
 }
 

@@ -22,14 +22,21 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
+/// What a strip of surface is whose other side was not seen.
+enum class Strip
+{
+  side, ///< One side of a limb, as of a wire.
+  leaf, ///< A sheet, and no evidence for a limb.
+};
+
 /// How well limbs are seen, in [0, 1]: as a solid or as a line, whichever is more. Near 0 where
 /// points are scattered, as in a crown in leaf.
 class Limb_evidence
 {
 public:
-  /// Refers to both arguments. O(1).
-  Limb_evidence(const Surface& surface, const Samples& samples)
-    : surface_(surface), samples_(samples)
+  /// Refers to the first two arguments. O(1).
+  Limb_evidence(const Surface& surface, const Samples& samples, Strip strip)
+    : surface_(surface), samples_(samples), strip_(strip)
   {}
 
   /// The evidence for a limb at a vertex in the middle of some patches; 0 if there are none.
@@ -41,15 +48,28 @@ public:
     if(patches.empty())
       return 0;
     const std::size_t step = (patches.size() + enough - 1) / enough;
-    double solid = 0, number = 0, half_width = vertex.resolution;
+    double solid = 0, number = 0;
     for(std::size_t k = 0; k < patches.size(); k += step, ++number)
       solid += (std::max)(0.0, of_solid(patches[k]));
-    for(std::size_t i : patches)
-      half_width = (std::max)(half_width, (surface_.patches[i].mean - vertex.position).norm());
-    return (std::max)(solid / number, of_line(vertex.position, half_width));
+    return (std::max)(solid / number, of_line(vertex.position, half_width(vertex, patches)));
   }
 
 private:
+  /// Half the width of a limb at a vertex in the middle of some patches: of a strip the greatest
+  /// distance, so that in the window it is longer than wide; or the mean distance, so that it is
+  /// not.
+  double half_width(const Skeleton_graph::Vertex& vertex,
+                    const std::vector<std::size_t>& patches) const
+  {
+    double greatest = 0, mean = 0;
+    for(std::size_t i : patches) {
+      const double distance = (surface_.patches[i].mean - vertex.position).norm();
+      greatest = (std::max)(greatest, distance);
+      mean += distance / static_cast<double>(patches.size());
+    }
+    return (std::max)(vertex.resolution, strip_ == Strip::side ? greatest : mean);
+  }
+
   /// All that is near the middle of a solid faces away from it: the mean cosine between the normals
   /// around the sample of a patch and the directions from it.
   double of_solid(std::size_t i) const
@@ -92,13 +112,14 @@ private:
 
   const Surface& surface_;
   const Samples& samples_;
+  Strip strip_;
 };
 
 /// Sets the evidence for a limb at each vertex of a quotient. O(n log n) in practice.
 inline void set_evidence(Surface_quotient& quotient, const Surface& surface,
-                         const Samples& samples, Concurrency concurrency)
+                         const Samples& samples, Strip strip, Concurrency concurrency)
 {
-  const Limb_evidence evidence(surface, samples);
+  const Limb_evidence evidence(surface, samples, strip);
   parallel_for(concurrency, quotient.members.size(), [&](std::size_t v) {
     Skeleton_graph::Vertex& vertex = quotient.graph.vertices[v];
     vertex.evidence = evidence(vertex, quotient.members[v]);

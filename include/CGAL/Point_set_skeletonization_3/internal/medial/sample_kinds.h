@@ -10,6 +10,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -17,10 +19,32 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Returns what the patches around patch `i` are like: a line, a sheet or scattered, whichever of
-/// linearity, planarity and scattering is greatest (Demantke et al. 2011, from the standard
-/// deviations along the principal axes). O(patches around).
-inline Medial_sample_kind kind_of_neighborhood(const Surface& surface, std::size_t i)
+/// How much some patches are like a line, a sheet, or scattered; together 1 (Demantke et al. 2011,
+/// from the standard deviations along the principal axes).
+struct Dimensionality
+{
+  double linearity = 0, planarity = 0, scattering = 0;
+  double number = 0; ///< Of patches.
+
+  /// Whichever is greatest.
+  Medial_sample_kind kind() const
+  {
+    if(linearity > planarity && linearity > scattering)
+      return Medial_sample_kind::line;
+    return planarity > scattering ? Medial_sample_kind::sheet : Medial_sample_kind::scatter;
+  }
+
+  /// Whether they are scattered by more than what as few patches of a line or a sheet show by
+  /// chance.
+  bool is_clearly_scattered() const
+  {
+    constexpr double by_chance = 0.95; // times 1 / sqrt(number), as in `Limb_evidence`
+    return scattering - (std::max)(linearity, planarity) > by_chance / std::sqrt(number);
+  }
+};
+
+/// Returns what the patches around patch `i` are like. O(patches around).
+inline Dimensionality dimensionality_around(const Surface& surface, std::size_t i)
 {
   constexpr double reach = 3; // spacings: about 30 patches of a sheet, 6 of a line
   const Patch& patch = surface.patches[i];
@@ -36,11 +60,10 @@ inline Medial_sample_kind kind_of_neighborhood(const Surface& surface, std::size
   });
   const Matrix3 covariance = products / number - sum * sum.transpose() / (number * number);
   const Vector3 deviations = principal_axes(covariance).variances.cwiseSqrt(); // ascending
-  const double linearity = deviations[2] - deviations[1],
-               planarity = deviations[1] - deviations[0], scattering = deviations[0];
-  if(linearity > planarity && linearity > scattering)
-    return Medial_sample_kind::line;
-  return planarity > scattering ? Medial_sample_kind::sheet : Medial_sample_kind::scatter;
+  if(!(deviations[2] > 0))
+    return {0, 0, 0, number};
+  return {(deviations[2] - deviations[1]) / deviations[2],
+          (deviations[1] - deviations[0]) / deviations[2], deviations[0] / deviations[2], number};
 }
 
 /// Returns what each sample is in the middle of. O(n log n).
@@ -50,7 +73,17 @@ inline std::vector<Medial_sample_kind> sample_kinds(const Surface& surface, cons
   for(std::size_t i = 0; i < samples.size(); ++i)
     result.push_back(is_off_surface(samples[i], surface.patches[i])
                        ? Medial_sample_kind::solid
-                       : kind_of_neighborhood(surface, i));
+                       : dimensionality_around(surface, i).kind());
+  return result;
+}
+
+/// Whether each patch is clearly among scattered ones, and its other side was not seen. O(n log n).
+inline std::vector<bool> scattered_patches(const Surface& surface, const Samples& samples)
+{
+  std::vector<bool> result;
+  for(std::size_t i = 0; i < samples.size(); ++i)
+    result.push_back(!is_off_surface(samples[i], surface.patches[i]) &&
+                     dimensionality_around(surface, i).is_clearly_scattered());
   return result;
 }
 

@@ -12,13 +12,16 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/open_loops.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/wave_fronts.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/sample_kinds.h>
 #include <CGAL/Point_set_skeletonization_3/internal/pipeline/Linking_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Ball_overlaps.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Local_separator.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/local_separators.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -50,7 +53,20 @@ inline bool is_loop(const Curve_evidence& loop, Limb_reading reading, double lea
          (reading == Limb_reading::frame || !loop.is_open());
 }
 
-/// Returns the network of limbs that separators cut a surface into. O(n log n) in practice.
+/// Returns the separators that are not mostly of marked patches, in their order. O(n).
+inline std::vector<Local_separator> without_marked(std::vector<Local_separator> separators,
+                                                   const std::vector<bool>& is_marked)
+{
+  separators.erase(std::remove_if(separators.begin(), separators.end(),
+                                  [&](const Local_separator& separator) {
+                                    return are_mostly(separator.patches, is_marked);
+                                  }),
+                   separators.end());
+  return separators;
+}
+
+/// Returns the network of limbs that separators cut a surface into. In a tree, separators mean
+/// nothing among scattered patches, and there are wave fronts instead. O(n log n) in practice.
 /// \param candidates from `separator_candidates()`
 inline Limb_network limb_network(const Surface& surface, const Samples& samples,
                                  const Ball_overlaps& overlaps,
@@ -58,12 +74,19 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
                                  Limb_reading reading, const Linking_options& options,
                                  Concurrency concurrency)
 {
+  const bool is_frame = reading == Limb_reading::frame;
+  const std::vector<bool> is_scattered =
+    is_frame ? std::vector<bool>(samples.size(), false) : scattered_patches(surface, samples);
   const std::vector<Local_separator> separators =
-    local_separators(candidates, surface, samples, overlaps, reading != Limb_reading::frame,
-                     options.separators, concurrency);
+    without_marked(local_separators(candidates, surface, samples, overlaps, !is_frame,
+                                    options.separators, concurrency),
+                   is_scattered);
   Limb_network result;
-  result.quotient = surface_quotient(surface.patches, samples, overlaps, separators, concurrency);
-  set_evidence(result.quotient, surface, samples, concurrency);
+  result.quotient =
+    with_wave_fronts(surface_quotient(surface.patches, samples, overlaps, separators, concurrency),
+                     surface.patches, samples, overlaps.pairs(), is_scattered);
+  set_evidence(result.quotient, surface, samples, is_frame ? Strip::side : Strip::leaf,
+               concurrency);
   result.quotient.graph =
     with_loops_opened(std::move(result.quotient.graph), [&](const Curve_evidence& loop) {
       return is_loop(loop, reading, options.curve.limb_evidence);
