@@ -17,4 +17,5 @@ echo "== Building what is tested"
 cmake --build build --parallel "$(nproc)"
 echo "== Testing"
 cd build
-exec ctest --output-on-failure --parallel 2
+# One more than cores: some only wait.
+exec ctest --output-on-failure --parallel $(($(nproc) + 1))
