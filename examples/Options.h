@@ -37,9 +37,9 @@ inline bool is_moments_file(const std::string& filename)
 /// default.
 struct Published_symbols
 {
-  bool tuned = false, halt = false, directed = false;
+  bool tuned = false, halt = false;
   std::optional<double> h_0, delta_h, mu, alpha, flatness, sample_flatness, alpha_min, d_max;
-  std::optional<std::size_t> iterations, samples, levels, sample_levels, b_min;
+  std::optional<std::size_t> iterations, samples, levels, b_min;
 };
 
 /// The command line of `skeletonize_point_set accumulate`.
@@ -227,18 +227,16 @@ inline void add_published_options(CLI::App& app, Published_symbols& symbols)
   const auto none = std::size_t(0), one = std::size_t(1);
   add_flag("--tuned", symbols.tuned, "other defaults than the paper's, given second here");
   add("--h0", symbols.h_0, 1e-4, 1e4, "first kernel radius, in diagonals [2 / cbrt(points)]");
-  add("--delta-h", symbols.delta_h, 0.0, any, "growth per iteration, in h0 [0.5, 0.4]");
+  add("--delta-h", symbols.delta_h, 0.0, any, "growth per iteration, in h0 [1/2, 1/3]");
   add("--iterations", symbols.iterations, none, many, "of the projection [30, 60]");
   add_flag("--halt", symbols.halt, "halt when most samples lie on curves; iterations are a bound [60, 120]");
-  add("--mu", symbols.mu, 0.0, 0.4999, "weight of the repulsion [0.2, 0.3]");
-  add_flag("--directed", symbols.directed, "repulsion along curves only [no, yes]");
+  add("--mu", symbols.mu, 0.0, 0.4999, "weight of the repulsion [0.2]");
   add("--samples", symbols.samples, one, many * 1000, "samples to project [points / 20, >= 500]");
   add("--alpha", symbols.alpha, tiny, any, "reach of a parent of the EM, in deviations [2.2]");
   add("--levels", symbols.levels, none, std::size_t(100), "levels of the EM [3]");
-  add("--sample-levels", symbols.sample_levels, none, std::size_t(100), "of samples' [levels, 5]");
   add("--flatness", symbols.flatness, tiny, any, "regularisation of points' Gaussians [0.3]");
   add("--sample-flatness", symbols.sample_flatness, tiny, any, "of samples' [0.3, 0.05]");
-  add("--alpha-min", symbols.alpha_min, 0.0, 179.99, "least angle of a branch, degrees [90]");
+  add("--alpha-min", symbols.alpha_min, 0.0, 179.99, "least angle of a branch, degrees [90, 120]");
   add("--b-min", symbols.b_min, std::size_t(2), many, "least components of a branch [5]");
   add("--d-max", symbols.d_max, tiny, any, "longest edge of a branch, in diagonals [0.15]");
 }

@@ -133,13 +133,11 @@ inline auto published_parameters(const Options& options, Progress_bar& bar)
   const Published_symbols& s = options.published;
   const auto common =
       callback_of(bar).random_seed(options.seed).number_of_iterations(s.iterations);
-  const auto regularisation =
-      flatness(s.flatness, sample_flatness(s.sample_flatness, common));
-  const auto mixtures = levels(s.levels, sample_levels(s.sample_levels, regularisation));
-  const auto along_curves = s.directed ? std::optional<bool>(true) : std::nullopt;
-  const auto repulsion = mu(s.mu, directed(along_curves, samples(s.samples, mixtures)));
+  const auto mixtures =
+      alpha(s.alpha, levels(s.levels, flatness(s.flatness, sample_flatness(s.sample_flatness,
+                                                                           common))));
   const auto projection =
-      alpha(s.alpha, h_0(s.h_0, delta_h(s.delta_h, halt(s.halt, repulsion))));
+      h_0(s.h_0, delta_h(s.delta_h, mu(s.mu, halt(s.halt, samples(s.samples, mixtures)))));
   return tuned(s.tuned, alpha_min(s.alpha_min, b_min(s.b_min, d_max(s.d_max, projection))));
 }
 

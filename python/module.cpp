@@ -230,8 +230,7 @@ Skeleton skeletonize(const py::object& points, bool single_component, bool is_tr
 
 Skeleton skeletonize_as_published(const py::object& points, bool tuned, bool halt,
                                   Count number_of_iterations, unsigned int random_seed, Real h_0,
-                                  Real delta_h, Real mu, std::optional<bool> directed,
-                                  Count samples, Real alpha, Count levels, Count sample_levels,
+                                  Real delta_h, Real mu, Count samples, Real alpha, Count levels,
                                   Real flatness, Real sample_flatness, Real alpha_min, Count b_min,
                                   Real d_max, std::optional<int> threads,
                                   const py::object& progress)
@@ -255,13 +254,11 @@ Skeleton skeletonize_as_published(const py::object& points, bool tuned, bool hal
                                 .callback(callback)
                                 .random_seed(random_seed)
                                 .number_of_iterations(number_of_iterations);
-        const auto mixtures = p::levels(
-            levels,
-            p::sample_levels(sample_levels,
-                             p::flatness(flatness, p::sample_flatness(sample_flatness, common))));
-        const auto repulsion = p::mu(mu, p::directed(directed, p::samples(samples, mixtures)));
-        const auto projection = p::alpha(
-            alpha, p::h_0(h_0, p::delta_h(delta_h, p::halt(halt, repulsion))));
+        const auto mixtures = p::alpha(
+            alpha,
+            p::levels(levels, p::flatness(flatness, p::sample_flatness(sample_flatness, common))));
+        const auto projection = p::h_0(
+            h_0, p::delta_h(delta_h, p::mu(mu, p::halt(halt, p::samples(samples, mixtures)))));
         return CGAL::extract_published_l1_medial_skeleton<CGAL::Parallel_if_available_tag>(
             rows, graph,
             p::tuned(tuned, p::alpha_min(alpha_min, p::b_min(b_min, p::d_max(d_max, projection)))));
@@ -466,9 +463,7 @@ m <= maximum_cells grid cells.)");
       "skeletonize_as_published", &skeletonize_as_published, "points"_a, py::kw_only(),
       "tuned"_a = false, "halt"_a = false, "number_of_iterations"_a = py::none(),
       "random_seed"_a = 0, "h_0"_a = py::none(), "delta_h"_a = py::none(), "mu"_a = py::none(),
-      "directed"_a = py::none(),
       "samples"_a = py::none(), "alpha"_a = py::none(), "levels"_a = py::none(),
-      "sample_levels"_a = py::none(),
       "flatness"_a = py::none(), "sample_flatness"_a = py::none(), "alpha_min"_a = py::none(),
       "b_min"_a = py::none(), "d_max"_a = py::none(), "threads"_a = py::none(),
       "progress"_a = py::none(),
@@ -480,14 +475,13 @@ halt: halt when no more samples come to lie on curves; number_of_iterations is t
 number_of_iterations: of the projection [30, 60; with halt 60, 120].
 random_seed: of parents and samples [0].
 h_0: first kernel radius, in diagonals, in [1e-4, 1e4] [2 / cbrt(n)].
-delta_h: growth per iteration, in h_0, >= 0 [0.5, 0.4].
-mu: weight of the repulsion, in [0, 0.5) [0.2, 0.3].
-directed: repulsion along curves only [False, True].
+delta_h: growth per iteration, in h_0, >= 0 [1/2, 1/3].
+mu: weight of the repulsion, in [0, 0.5) [0.2].
 samples: number of samples, >= 1 [n / 20, at least 500].
 alpha: reach of a parent of the EM, in deviations, > 0 [2.2].
-levels, sample_levels: levels of the EM, of the points and of the samples [3; levels, 5].
+levels: levels of the EM [3].
 flatness, sample_flatness: added variance of Gaussians, > 0 [0.3; 0.3, 0.05].
-alpha_min: least angle of a branch, in degrees, in [0, 180) [90].
+alpha_min: least angle of a branch, in degrees, in [0, 180) [90, 120].
 b_min: least components of a branch, >= 2 [5].
 d_max: longest edge of a branch, in diagonals, > 0 [0.15].
 

@@ -53,22 +53,21 @@ check "statistics although quiet" one_line out '"points":600'
 accepts cloud.xyz --quiet --as-published -o published.ply
 accepts cloud.xyz --stats --as-published
 check "the iterations of the published method" one_line out '"iterations":30,"components":'
-for option in --h0 --delta-h --iterations --mu --samples --alpha --levels --sample-levels \
-  --flatness --sample-flatness --alpha-min --b-min --d-max; do
+for option in --h0 --delta-h --iterations --mu --samples --alpha --levels --flatness \
+  --sample-flatness --alpha-min --b-min --d-max; do
   refuses --as-published cloud.xyz $option "$([ $option = --mu ] && echo 0.3 || echo 2)"
   refuses "$option" cloud.xyz --as-published $option -1
 done
 refuses --as-published cloud.xyz --tuned
 refuses --as-published cloud.xyz --halt
-refuses --as-published cloud.xyz --directed
 # The defaults by their symbols are the defaults.
 accepts cloud.xyz --quiet --as-published --delta-h 0.5 --iterations 30 --mu 0.2 --samples 500 \
-  --alpha 2.2 --levels 3 --sample-levels 3 --flatness 0.3 --sample-flatness 0.3 --alpha-min 90 \
-  --b-min 5 --d-max 0.15 -o symbols.ply
+  --alpha 2.2 --levels 3 --flatness 0.3 --sample-flatness 0.3 --alpha-min 90 --b-min 5 \
+  --d-max 0.15 -o symbols.ply
 check "the defaults by their symbols" cmp published.ply symbols.ply
 accepts cloud.xyz --quiet --as-published --tuned -o tuned.ply
-accepts cloud.xyz --quiet --as-published --delta-h 0.4 --iterations 60 \
-  --mu 0.3 --directed --sample-levels 5 --sample-flatness 0.05 -o symbols.ply
+accepts cloud.xyz --quiet --as-published --tuned --delta-h 0.333333333333333333 --iterations 60 \
+  --sample-flatness 0.05 --alpha-min 120 -o symbols.ply
 check "the tuned set by its symbols" cmp tuned.ply symbols.ply
 check "it is another" sh -c '! cmp -s published.ply tuned.ply'
 accepts cloud.xyz --stats --as-published --iterations 7

@@ -52,12 +52,9 @@ namespace CGAL {
 ///       \cgalParamDefault{2 over the cube root of the number of points} \cgalParamNEnd
 ///     \cgalParamNBegin{delta_h} \cgalParamDescription{\f$\Delta h\f$, the growth of a kernel per
 ///       iteration where its surroundings are isotropic; in units of h_0, >= 0}
-///       \cgalParamType{`double`} \cgalParamDefault{0.5, tuned 0.4} \cgalParamNEnd
+///       \cgalParamType{`double`} \cgalParamDefault{0.5, tuned 1/3} \cgalParamNEnd
 ///     \cgalParamNBegin{mu} \cgalParamDescription{\f$\mu\f$, the weight of the repulsion; in [0,
-///       0.5)} \cgalParamType{`double`} \cgalParamDefault{0.2, tuned 0.3} \cgalParamNEnd
-///     \cgalParamNBegin{directed} \cgalParamDescription{whether the repulsion acts along curves
-///       only: each principal direction gets its share of the variance of the samples around}
-///       \cgalParamType{`bool`} \cgalParamDefault{`false`, tuned `true`} \cgalParamNEnd
+///       0.5)} \cgalParamType{`double`} \cgalParamDefault{0.2} \cgalParamNEnd
 ///     \cgalParamNBegin{halt} \cgalParamDescription{whether the projection halts when no more
 ///       samples come to lie on curves; `number_of_iterations` is then a bound, by default twice as
 ///       large}
@@ -70,8 +67,6 @@ namespace CGAL {
 ///       \cgalParamDefault{2.2} \cgalParamNEnd
 ///     \cgalParamNBegin{levels} \cgalParamDescription{number of levels of the hierarchical EM
 ///       above the points} \cgalParamType{`std::size_t`} \cgalParamDefault{3} \cgalParamNEnd
-///     \cgalParamNBegin{sample_levels} \cgalParamDescription{the same above the samples}
-///       \cgalParamType{`std::size_t`} \cgalParamDefault{`levels`, tuned 5} \cgalParamNEnd
 ///     \cgalParamNBegin{flatness} \cgalParamDescription{variance added to the Gaussian of a point
 ///       in every direction, as a fraction of its mean variance; > 0} \cgalParamType{`double`}
 ///       \cgalParamDefault{0.3} \cgalParamNEnd
@@ -79,7 +74,7 @@ namespace CGAL {
 ///       sample} \cgalParamType{`double`} \cgalParamDefault{0.3, tuned 0.05} \cgalParamNEnd
 ///     \cgalParamNBegin{alpha_min} \cgalParamDescription{\f$\alpha_{min}\f$, the least angle of
 ///       adjacent segments of a branch; in degrees, in [0, 180), where 180 is straight}
-///       \cgalParamType{`double`} \cgalParamDefault{90} \cgalParamNEnd
+///       \cgalParamType{`double`} \cgalParamDefault{90, tuned 120} \cgalParamNEnd
 ///     \cgalParamNBegin{b_min} \cgalParamDescription{\f$b_{min}\f$, the least number of
 ///       components of a branch; >= 2} \cgalParamType{`std::size_t`} \cgalParamDefault{5}
 ///       \cgalParamNEnd

@@ -236,7 +236,6 @@ TEST_CASE("The parameters of the published method chain as well, and each change
   const auto seed = parameters::random_seed(0);
   const auto explicitly =
     mu(0.2, delta_h(0.5, alpha(2.2, levels(3, flatness(0.3, sample_flatness(0.3, seed))))));
-  CHECK(have_same_bits(by_default, published(directed(false, sample_levels(3, seed)))));
   CHECK(have_same_bits(by_default, published(explicitly)));
   CHECK(have_same_bits(by_default, published(alpha_min(90, b_min(5, d_max(0.15, seed))))));
   CHECK(have_same_bits(by_default, published(mu(std::nullopt, tuned(false, halt(false))))));
@@ -252,18 +251,16 @@ TEST_CASE("The parameters of the published method chain as well, and each change
   check_changes(samples(200));
   check_changes(alpha(1.5));
   check_changes(levels(2));
-  check_changes(sample_levels(2));
-  check_changes(directed(true));
   check_changes(flatness(0.1));
   check_changes(sample_flatness(0.02));
   check_changes(alpha_min(170));
   check_changes(b_min(20));
   check_changes(d_max(0.01));
   check_changes(tuned(true));
-  const auto iterations = parameters::number_of_iterations(60);
-  const auto by_symbols =
-    delta_h(0.4, mu(0.3, directed(true, sample_levels(5, sample_flatness(0.05, iterations)))));
-  CHECK(have_same_bits(published(tuned(true)), published(by_symbols)));
+  CHECK(have_same_bits(
+    published(tuned(true)),
+    published(delta_h(
+      1.0 / 3, sample_flatness(0.05, alpha_min(120, parameters::number_of_iterations(60)))))));
 }
 
 TEST_CASE("The merging links of the published method are marked, where a graph has a place for it")

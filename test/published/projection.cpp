@@ -68,43 +68,6 @@ TEST_CASE("Samples of a tube come to lie on its axis")
   CHECK(mean_axis_distance(projected(points, Published_options()).samples) < 0.1 * radius);
 }
 
-TEST_CASE("A directed repulsion pushes along a curve, and not off it")
-{
-  // A directed one spreads samples along the axis of the tube without moving them off it; an
-  // undirected one pushes them across as well, the more the greater its weight.
-  const unsigned int seed = GENERATE(8u, 9u, 10u);
-  CAPTURE(seed);
-  const Points points = tube(4000, 0.05, seed);
-  Published_options options;
-  options.projection.repulsion = 0.45;
-  const double undirected = mean_axis_distance(projected(points, options).samples);
-  options.projection.directed_repulsion = true;
-  const double directed = mean_axis_distance(projected(points, options).samples);
-  CHECK(directed < undirected / 2);
-}
-
-TEST_CASE("A directed repulsion gives each direction its share of the variance")
-{
-  const Matrix3 line = Vector3(2, 0, 0).asDiagonal(), sheet = Vector3(3, 3, 0).asDiagonal();
-  const Vector3 force(1, 2, 4);
-  Published_projection_options options;
-  options.repulsion = 0.25;
-  const auto weighted = [&](const Matrix3& covariance) {
-    return weighted_repulsion(force, Surroundings(1, 9, covariance), options);
-  };
-  CHECK(weighted(line) == 0.25 * force); // Eq. 2 as printed
-  CHECK(weighted(sheet) == 0.25 * force);
-  options.directed_repulsion = true;
-  CHECK(weighted(line).isApprox(0.25 * Vector3(1, 0, 0)));
-  CHECK(weighted(sheet).isApprox(0.25 * Vector3(0.5, 1, 0)));
-  CHECK(weighted(Matrix3::Identity()).isApprox(0.25 * force / 3));
-  CHECK(weighted(Matrix3::Zero()).isZero(0)); // no other sample
-  const Matrix3 turn = Eigen::AngleAxisd(1, Vector3(1, 2, 3).normalized()).toRotationMatrix();
-  const Vector3 turned = weighted_repulsion(
-    turn * force, Surroundings(1, 9, turn * sheet * turn.transpose()), options);
-  CHECK(turned.isApprox(turn * weighted(sheet)));
-}
-
 TEST_CASE("Without a halt the iterations are as many as asked for")
 {
   const Points points = tube(1000, 0.05, 3);
@@ -194,33 +157,16 @@ TEST_CASE("The options of the projection do what they say")
 TEST_CASE("Threads do not change a bit of the projection")
 {
   const Points points = tube(4000, 0.05, 7);
-  Published_options options;
-  options.projection.directed_repulsion = GENERATE(false, true);
-  const std::vector<L1_sample> expected = projected(points, options).samples;
+  const std::vector<L1_sample> expected = projected(points, Published_options()).samples;
   for_threads([&](Concurrency concurrency) {
-    const std::vector<L1_sample> actual = projected(points, options, concurrency).samples;
+    const std::vector<L1_sample> actual =
+      projected(points, Published_options(), concurrency).samples;
     REQUIRE(actual.size() == expected.size());
     for(std::size_t i = 0; i < actual.size(); ++i) {
       CHECK(actual[i].position == expected[i].position);
       CHECK(actual[i].kernel_radius == expected[i].kernel_radius);
     }
   });
-}
-
-TEST_CASE("More levels make fewer components of the samples, and so fewer vertices")
-{
-  const Points points = tube(8000, 0.05, 11);
-  Published_options options;
-  const auto vertices = [&] {
-    const std::vector<L1_sample> samples = projected(points, options).samples;
-    return published_skeleton(points, samples, options, Concurrency::sequential, {})
-      .graph.vertices.size();
-  };
-  const std::size_t as_many_levels = vertices();
-  options.sample_levels = options.em.number_of_levels + 1;
-  const std::size_t fewer = vertices();
-  CHECK(fewer < as_many_levels);
-  CHECK(fewer > 1);
 }
 
 } // namespace projection_test

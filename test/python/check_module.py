@@ -238,8 +238,7 @@ class ModuleTest(unittest.TestCase):
         s = skeletonize_as_published(self.points, number_of_iterations=5, samples=200)
         same = skeletonize_as_published(self.points, number_of_iterations=5, samples=200, mu=0.2,
                                         delta_h=0.5, alpha=2.2, levels=3, flatness=0.3,
-                                        directed=False, sample_levels=3, sample_flatness=0.3,
-                                        alpha_min=90, b_min=5, d_max=0.15)
+                                        sample_flatness=0.3, alpha_min=90, b_min=5, d_max=0.15)
         self.assert_same(s, same)
         other = skeletonize_as_published(self.points, number_of_iterations=5, samples=200,
                                          random_seed=1)

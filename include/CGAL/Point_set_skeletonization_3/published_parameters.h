@@ -18,12 +18,10 @@ enum published_tuned_t { published_tuned };
 enum published_h_0_t { published_h_0 };
 enum published_delta_h_t { published_delta_h };
 enum published_mu_t { published_mu };
-enum published_directed_t { published_directed };
 enum published_halt_t { published_halt };
 enum published_samples_t { published_samples };
 enum published_alpha_t { published_alpha };
 enum published_levels_t { published_levels };
-enum published_sample_levels_t { published_sample_levels };
 enum published_flatness_t { published_flatness };
 enum published_sample_flatness_t { published_sample_flatness };
 enum published_alpha_min_t { published_alpha_min };
@@ -51,9 +49,6 @@ inline constexpr Parameter<internal_np::published_delta_h_t, std::optional<doubl
 /// mu, the weight of the repulsion.
 inline constexpr Parameter<internal_np::published_mu_t, std::optional<double>> mu{};
 
-/// Whether the repulsion acts along curves only.
-inline constexpr Parameter<internal_np::published_directed_t, std::optional<bool>> directed{};
-
 /// Whether to halt when most samples lie on curves.
 inline constexpr Parameter<internal_np::published_halt_t, bool> halt{};
 
@@ -65,10 +60,6 @@ inline constexpr Parameter<internal_np::published_alpha_t, std::optional<double>
 
 /// Number of levels of the hierarchical EM.
 inline constexpr Parameter<internal_np::published_levels_t, std::optional<std::size_t>> levels{};
-
-/// Number of levels of the hierarchical EM of the samples.
-inline constexpr Parameter<internal_np::published_sample_levels_t, std::optional<std::size_t>>
-  sample_levels{};
 
 /// Regularisation of the mixture M of the points.
 inline constexpr Parameter<internal_np::published_flatness_t, std::optional<double>> flatness{};

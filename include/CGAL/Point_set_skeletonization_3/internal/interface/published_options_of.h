@@ -25,12 +25,10 @@ using Has_only_published =
                      internal_np::published_h_0_t,
                      internal_np::published_delta_h_t,
                      internal_np::published_mu_t,
-                     internal_np::published_directed_t,
                      internal_np::published_halt_t,
                      internal_np::published_samples_t,
                      internal_np::published_alpha_t,
                      internal_np::published_levels_t,
-                     internal_np::published_sample_levels_t,
                      internal_np::published_flatness_t,
                      internal_np::published_sample_flatness_t,
                      internal_np::published_alpha_min_t,
@@ -62,15 +60,11 @@ Published_options published_options_of(const NamedParameters& np)
       parameter_of<std::optional<double>>(np, internal_np::published_delta_h));
   set(result.projection.repulsion,
       parameter_of<std::optional<double>>(np, internal_np::published_mu));
-  set(result.projection.directed_repulsion,
-      parameter_of<std::optional<bool>>(np, internal_np::published_directed));
   set(result.projection.number_of_samples,
       parameter_of<std::optional<std::size_t>>(np, internal_np::published_samples));
   set(result.em.alpha, parameter_of<std::optional<double>>(np, internal_np::published_alpha));
   set(result.em.number_of_levels,
       parameter_of<std::optional<std::size_t>>(np, internal_np::published_levels));
-  set(result.sample_levels,
-      parameter_of<std::optional<std::size_t>>(np, internal_np::published_sample_levels));
   set(result.points.flatness,
       parameter_of<std::optional<double>>(np, internal_np::published_flatness));
   set(result.samples.flatness,

@@ -111,13 +111,6 @@ struct Published_projection_options
   /// pushes them off their middle.
   double repulsion = 0.2;
 
-  /// Whether the repulsion acts along curves only: F2 is multiplied by C of Eq. 13 over its trace,
-  /// so that each principal direction gets its share of the variance. Eq. 2 as printed has no such
-  /// factor, but Sec. 5 calls the repulsion driven by a principal component analysis, and Huang et
-  /// al. (2013) multiply it by sigma. Without it, samples that gather on a curve push each other
-  /// off it, across, where their kernels then find variance and grow on until limbs collapse.
-  bool directed_repulsion = false;
-
   std::size_t samples_of(std::size_t points) const
   {
     constexpr std::size_t fraction = 20, least = 500;
@@ -175,12 +168,6 @@ struct Published_options
   Nearest_neighbor_options points;  ///< Gaussians of the points, for M.
   Nearest_neighbor_options samples; ///< Gaussians of the samples, for M_X.
   Hierarchical_em_options em;       ///< Of both mixtures.
-
-  /// Levels of M_X; none given, as many as of M. Where samples lie on curves, the angles of a
-  /// branch are those of the curve only if components are further apart than the samples scatter
-  /// across it: with components as close as that, branches end at once, and trunks are lost.
-  std::optional<std::size_t> sample_levels;
-
   Published_projection_options projection;
   Branch_detection_options branches;
 
@@ -190,18 +177,9 @@ struct Published_options
   {
     Published_options result;
     result.projection.iterations = 60;
-    result.projection.kernel_growth = 0.4;
-    result.projection.directed_repulsion = true;
-    result.projection.repulsion = 0.3;
+    result.projection.kernel_growth = 1.0 / 3;
     result.samples.flatness = 0.05;
-    result.sample_levels = 5;
-    return result;
-  }
-
-  Hierarchical_em_options em_of_samples() const
-  {
-    Hierarchical_em_options result = em;
-    result.number_of_levels = sample_levels.value_or(em.number_of_levels);
+    result.branches.alpha_min = 120;
     return result;
   }
 

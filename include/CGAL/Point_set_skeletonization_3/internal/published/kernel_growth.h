@@ -32,10 +32,6 @@ struct Surroundings
   /// Where the variance is largest, of unit length; 0 without any other sample.
   Vector3 direction = Vector3::Zero();
 
-  /// C of Eq. 13 divided by its trace: in each principal direction the share of the variance that
-  /// lies in it; 0 without any other sample.
-  Matrix3 shares = Matrix3::Zero();
-
   Surroundings() = default;
 
   /// \param covariance C of Eq. 13, up to a factor
@@ -47,7 +43,6 @@ struct Surroundings
     const Principal_axes axes = principal_axes(covariance);
     anisotropy = axes.variances[2] / trace;
     direction = axes.directions.col(2);
-    shares = covariance / trace;
   }
 
   /// The growth factor nu in [0, 1] of the kernel (Eq. 11): 1 in isotropic surroundings, near 0

@@ -154,8 +154,8 @@ inline Published_skeleton published_skeleton(const std::vector<Vector3>& points,
   }
   const Gaussians mixture =
     hierarchical_em(
-      nearest_neighbor_gaussians(positions, options.samples, concurrency),
-      options.em_of_samples(), concurrency)
+      nearest_neighbor_gaussians(positions, options.samples, concurrency), options.em,
+      concurrency)
       .back();
   progress(0.3);
   Skeleton_graph& graph = result.graph;

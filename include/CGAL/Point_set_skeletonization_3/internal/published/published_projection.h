@@ -40,15 +40,6 @@ struct Projected_samples
   std::size_t iterations = 0;
 };
 
-/// Returns mu F2 of Eq. 2 for a sample, directed if it is to be so.
-inline Vector3 weighted_repulsion(const Vector3& from_others, const Surroundings& around,
-                                  const Published_projection_options& options)
-{
-  const Vector3 directed =
-    options.directed_repulsion ? Vector3(around.shares * from_others) : from_others;
-  return options.repulsion * directed;
-}
-
 /// Moves the samples once by Eq. 2 and grows their kernels by Eq. 10, all from the positions
 /// before. Returns the share of the samples that were on a curve there, in [0, 1].
 inline double iterate_projection(Projected_samples& projected, const Attractors& attractors,
@@ -72,7 +63,7 @@ inline double iterate_projection(Projected_samples& projected, const Attractors&
   for(std::size_t k = 0; k < samples.size(); ++k) {
     L1_sample& s = samples[tree.order()[k]];
     const double growth_factor = around[k].growth_factor();
-    const Vector3 way = to_median[k] + weighted_repulsion(from_others[k], around[k], options),
+    const Vector3 way = to_median[k] + options.repulsion * from_others[k],
                   across = way - way.dot(around[k].direction) * around[k].direction;
     on_curves += growth_factor <= options.curve_growth &&
                  across.norm() < options.curve_movement * options.kernel_growth * s.kernel_radius;
