@@ -8,6 +8,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <cmath>
+
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
@@ -25,6 +27,13 @@ inline Principal_axes principal_axes(const Matrix3& covariance)
   Eigen::SelfAdjointEigenSolver<Matrix3> solver;
   solver.computeDirect(covariance);
   return {solver.eigenvalues().cwiseMax(0), solver.eigenvectors()};
+}
+
+/// Returns how far differences of variances, in units of the greatest, come about by chance among
+/// some points: measured on points that are scattered evenly.
+inline double anisotropy_by_chance(double points)
+{
+  return 0.95 / std::sqrt(points);
 }
 
 } // namespace internal

@@ -92,7 +92,6 @@ private:
   double of_line(const Vector3& place, double half_width) const
   {
     constexpr double around = 2.5; // half widths: in the window a limb is longer than wide
-    constexpr double by_chance = 0.95; // times 1 / sqrt(points)
     Vector3 sum = Vector3::Zero();
     Matrix3 products = Matrix3::Zero();
     double number = 0;
@@ -107,7 +106,7 @@ private:
       return 0;
     const Vector3 variances =
       principal_axes(products / number - sum * sum.transpose() / (number * number)).variances;
-    return variances[2] > 0 ? 1 - variances[1] / variances[2] - by_chance / std::sqrt(number) : 0;
+    return variances[2] > 0 ? 1 - variances[1] / variances[2] - anisotropy_by_chance(number) : 0;
   }
 
   const Surface& surface_;

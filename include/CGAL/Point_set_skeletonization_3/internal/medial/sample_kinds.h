@@ -11,7 +11,6 @@
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -38,8 +37,7 @@ struct Dimensionality
   /// chance.
   bool is_clearly_scattered() const
   {
-    constexpr double by_chance = 0.95; // times 1 / sqrt(number), as in `Limb_evidence`
-    return scattering - (std::max)(linearity, planarity) > by_chance / std::sqrt(number);
+    return scattering - (std::max)(linearity, planarity) > anisotropy_by_chance(number);
   }
 };
 
