@@ -10,6 +10,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/handle_fronts.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/stray_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
@@ -228,6 +229,65 @@ TEST_CASE("Where balls do not overlap, limbs that touch are joined once: there i
     surface_quotient(patches, samples, overlaps, separators, Concurrency::sequential);
   CHECK(number_of_components(quotient.graph) == 1);
   CHECK(quotient.graph.edges.size() + 1 == quotient.graph.vertices.size());
+}
+
+TEST_CASE("Fronts lead around a handle that one ring cuts")
+{
+  const Tube& torus = surfaces::torus;
+  const Patches patches = torus.patches();
+  const std::vector<Local_separator> separators = {torus.separator(5)};
+  const Surface_quotient quotient = quotient_of(torus, {5});
+  REQUIRE(quotient.handles.size() == 1);
+  const auto off_axis = [&](const Surface_quotient& q) {
+    double result = 0;
+    for(const Skeleton_graph::Vertex& vertex : q.graph.vertices)
+      result = (std::max)(result,
+                          (vertex.position - surfaces::ring_radius * vertex.position.normalized())
+                            .norm());
+    return result;
+  };
+  CHECK(off_axis(quotient) > 0.5 * surfaces::ring_radius); // the piece is all of the torus
+  const Surface_quotient fronts =
+    with_handle_fronts(quotient, separators, patches, surfaces::samples_of(patches),
+                       adjacent_pairs(patches));
+  CHECK(is_cycle(fronts.graph));
+  CHECK(off_axis(fronts) < tube_radius);
+  CHECK(fronts.handles.empty());
+  for(std::size_t i = 0; i < patches.size(); ++i) { // each patch is at its vertex
+    const auto& members = fronts.members[fronts.vertex_of_patch[i]];
+    CHECK(std::count(members.begin(), members.end(), i) == 1);
+  }
+  CHECK(quotient_of(torus, {5, 25}).handles.empty());
+  CHECK(quotient_of(surfaces::tube, {5}).handles.empty());
+}
+
+TEST_CASE("Fronts around a handle keep what is attached to the piece")
+{
+  // A piece around a handle, made of a torus with one ring, and a limb that is attached to it
+  // opposite of the ring.
+  const Tube& torus = surfaces::torus;
+  const Patches patches = torus.patches();
+  const int ring = 5, far = ring + torus.along / 2;
+  Surface_quotient quotient = quotient_of(torus, {ring});
+  const std::size_t piece = quotient.handles.front().piece, limb = quotient.graph.vertices.size();
+  quotient.graph.vertices.emplace_back();
+  quotient.graph.edges.emplace_back(piece, limb);
+  quotient.members.push_back({torus.index(far, 0)});
+  quotient.vertex_of_patch[torus.index(far, 0)] = limb;
+  auto& members = quotient.members[piece];
+  members.erase(std::find(members.begin(), members.end(), torus.index(far, 0)));
+  const Surface_quotient fronts =
+    with_handle_fronts(quotient, {torus.separator(ring)}, patches, surfaces::samples_of(patches),
+                       adjacent_pairs(patches));
+  CHECK(number_of_components(fronts.graph) == 1);
+  CHECK(number_of_cycles(fronts.graph) == 1);
+  CHECK(number_of_ends(fronts.graph) == 1);
+  const std::size_t tip = fronts.vertex_of_patch[torus.index(far, 0)];
+  const auto adjacent = fronts.graph.adjacency()[tip];
+  REQUIRE(adjacent.size() == 1);
+  CHECK((fronts.graph.vertices[adjacent[0]].position -
+         surfaces::ring_radius * surfaces::around(2 * CGAL_PI * far / torus.along))
+          .norm() < 0.5 * surfaces::ring_radius);
 }
 
 TEST_CASE("Wave fronts in pieces of a tube leave it a tree, in those of a torus one cycle")

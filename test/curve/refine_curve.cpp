@@ -190,6 +190,18 @@ TEST_CASE("Smoothing takes a zigzag off, keeps a bend, and moves no end or junct
   for(const auto& vertex : bend.vertices)
     CHECK(std::abs(vertex.position.y() - hill(vertex.position.x())) < 0.1);
 
+  for(std::size_t size : {4, 6, 7, 8, 12, 40}) { // a wave as long as a cycle stays
+    Skeleton_graph cycle;
+    for(std::size_t v = 0; v < size; ++v) {
+      const double angle = 2 * CGAL_PI * static_cast<double>(v) / static_cast<double>(size);
+      cycle.vertices.push_back({Vector3(std::cos(angle), std::sin(angle), 0), 1, 0, false});
+      cycle.edges.emplace_back(v, (v + 1) % size);
+    }
+    smooth(cycle);
+    for(const auto& vertex : cycle.vertices)
+      CHECK(std::abs(vertex.position.norm() - 1) < 0.15);
+  }
+
   Skeleton_graph row = squares(5);
   smooth(row);
   const auto adjacency = row.adjacency();

@@ -89,6 +89,33 @@ TEST_CASE("Turns of a spring that nearly touch make no loops")
   }
 }
 
+TEST_CASE("A pipe is a loop, however wide its wall is")
+{
+  // Cut lengthwise, the wall is 13 times as wide as thick.
+  const double outer = 1, inner = 0.7, length = 4;
+  for(const unsigned int seed : seeds) {
+    CAPTURE(seed);
+    shapes::Random random(seed);
+    std::vector<Vector> points;
+    const double rim = outer * outer - inner * inner, outside = outer * length,
+                 inside = inner * length; // areas over 2 pi
+    while(points.size() < 20000) {
+      const double choice = random.uniform() * (rim + outside + inside);
+      const double u = random.uniform(), v = random.uniform();
+      double radius = choice < rim + outside ? outer : inner, z = length * v;
+      if(choice < rim) {
+        radius = std::sqrt(inner * inner + v * rim);
+        z = choice < rim / 2 ? 0 : length;
+      }
+      points.push_back(radius * around(2 * shapes::pi * u) + z * Vector::UnitZ());
+    }
+    const Graph_counts counts = counts_of(points);
+    CHECK(counts.components == 1);
+    CHECK(counts.cycles == 1);
+    CHECK(counts.ends == 0);
+  }
+}
+
 TEST_CASE("A screw hole in a plate is a loop")
 {
   // A plate of 4 x 2 x 0.4 with a hole of radius 0.25.

@@ -340,9 +340,10 @@ TEST_CASE("A narrow hole of a sheet may be one of the data, a wide one is not")
       } else
         separator.sides[p.x() < length / 2 ? 0 : 1].push_back(i);
     }
-    return !choose_separators({separator}, surface, samples, graph_of(patches), fills_gaps, options,
-                              Concurrency::sequential)
-              .empty();
+    const Patch_graph graph = graph_of(patches);
+    return Separator_choice({}, surface, samples, graph, fills_gaps, options,
+                            Concurrency::sequential)
+      .cuts_limb(separator);
   };
   CHECK(is_chosen(1, false));
   CHECK(!is_chosen(1, true));
@@ -376,8 +377,9 @@ TEST_CASE("A ring around a limb is chosen, an arc of it is not")
   const Samples samples = surfaces::samples_of(surface.patches);
   const Patch_graph graph = graph_of(surface.patches);
   const auto number_chosen = [&](const std::vector<Local_separator>& candidates) {
-    return choose_separators(candidates, surface, samples, graph, false, options,
-                             Concurrency::sequential)
+    return Separator_choice(candidates, surface, samples, graph, false, options,
+                            Concurrency::sequential)
+      .run()
       .size();
   };
   CHECK(number_chosen({surfaces::torus.separator(10, 0, across / 2)}) == 0);

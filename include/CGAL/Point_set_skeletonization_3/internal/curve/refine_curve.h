@@ -22,16 +22,25 @@ namespace Point_set_skeletonization_3 {
 namespace internal {
 
 /// Smooths branches; tips and junctions stay. Alternates shrinking and slightly larger growing
-/// steps (Taubin 1995): bends stay, the zigzag between samples goes. O(n).
+/// steps (Taubin 1995): bends stay, the zigzag between samples goes. A cycle of few vertices would
+/// shrink, and stays. O(n).
 inline void smooth(Skeleton_graph& graph)
 {
-  constexpr int rounds = 10;          // smooths over about three vertices to either side
+  constexpr int rounds = 10; // smooths over about three vertices to either side
   constexpr double shrink = 0.5, grow = -0.53;
+  constexpr std::size_t fewest = 8; // a cycle of seven vertices would shrink by a quarter
   const auto adjacency = graph.adjacency();
+  std::vector<bool> moves(graph.vertices.size());
+  for(std::size_t v = 0; v < moves.size(); ++v)
+    moves[v] = adjacency[v].size() == 2;
+  for(const Branch& branch : branches(graph))
+    if(is_closed(branch) && branch.size() <= fewest) // which names one vertex twice
+      for(std::size_t v : branch)
+        moves[v] = false;
   for(int step = 0; step < 2 * rounds; ++step) {
     const std::vector<Skeleton_graph::Vertex> old = graph.vertices;
     for(std::size_t v = 0; v < old.size(); ++v)
-      if(adjacency[v].size() == 2) {
+      if(moves[v]) {
         const Vector3 middle =
           (old[adjacency[v][0]].position + old[adjacency[v][1]].position) / 2;
         graph.vertices[v].position += (step % 2 ? grow : shrink) * (middle - old[v].position);

@@ -29,8 +29,16 @@ namespace internal {
 /// each patch.
 struct Surface_quotient
 {
+  /// A handle that one separator cuts: the same piece is on both of its sides. An extra vertex on
+  /// the cycle, in the middle of the second side, avoids parallel edges.
+  struct Handle
+  {
+    std::size_t separator, piece, extra; ///< Vertices.
+  };
+
   Skeleton_graph graph;
   std::vector<std::size_t> vertex_of_patch;
+  std::vector<Handle> handles; ///< By their separators.
 
   /// The patches in whose middle each vertex is: its own; of a piece without any, which is between
   /// adjacent separators, theirs.
@@ -176,7 +184,6 @@ inline Surface_quotient surface_quotient(const Patches& patches, const Samples& 
   Surface_cut surface(patches, overlaps, separators);
   Surface_quotient result;
   result.graph.vertices.resize(separators.size());
-  std::vector<std::pair<std::size_t, std::size_t>> beside; // extra vertex, its separator
   std::vector<std::size_t> vertex_of_piece(2 * separators.size() + patches.size(), none);
   const auto vertex = [&](std::size_t piece) {
     if(vertex_of_piece[piece] == none) {
@@ -192,11 +199,9 @@ inline Surface_quotient surface_quotient(const Patches& patches, const Samples& 
       result.graph.edges.emplace_back(s, b);
       continue;
     }
-    // A handle with one separator has the same piece on both sides. An extra vertex on the cycle
-    // avoids parallel edges.
     result.graph.edges.emplace_back(s, result.graph.vertices.size());
     result.graph.edges.emplace_back(b, result.graph.vertices.size());
-    beside.emplace_back(result.graph.vertices.size(), s);
+    result.handles.push_back({s, b, result.graph.vertices.size()});
     result.graph.vertices.emplace_back();
   }
   for(std::size_t i = 0; i < patches.size(); ++i)
@@ -212,8 +217,8 @@ inline Surface_quotient surface_quotient(const Patches& patches, const Samples& 
     if(empty[e.second] && e.first < separators.size())
       members[e.second].insert(members[e.second].end(), separators[e.first].patches.begin(),
                                separators[e.first].patches.end());
-  for(const auto& pair : beside)
-    members[pair.first] = separators[pair.second].sides[1];
+  for(const Surface_quotient::Handle& handle : result.handles)
+    members[handle.extra] = separators[handle.separator].sides[1];
   parallel_for(concurrency, members.size(), [&](std::size_t v) {
     result.graph.vertices[v] = middle(members[v], patches, samples);
     result.graph.vertices[v].is_cross_section = v < separators.size();

@@ -7,11 +7,13 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_evidence.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/handle_fronts.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/limb_evidence.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/loose_ends.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/open_loops.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/two_edge_connected_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/wave_fronts.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/sample_kinds.h>
@@ -22,6 +24,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -65,6 +68,25 @@ inline std::vector<Local_separator> without_marked(std::vector<Local_separator> 
   return separators;
 }
 
+/// Returns the separators but those of handles that are on no cycle of a quotient, since its loops
+/// have been opened: they cut nothing. O(n log n).
+inline std::vector<Local_separator> without_idle(std::vector<Local_separator> separators,
+                                                 const Surface_quotient& quotient)
+{
+  const std::vector<std::size_t> part = two_edge_connected_components(quotient.graph);
+  std::vector<bool> is_idle(separators.size(), false);
+  for(const Surface_quotient::Handle& handle : quotient.handles)
+    is_idle[handle.separator] = true;
+  for(const Skeleton_graph::Edge& e : quotient.graph.edges)
+    if(part[e.first] == part[e.second] && e.first < separators.size())
+      is_idle[e.first] = false;
+  std::vector<Local_separator> result;
+  for(std::size_t s = 0; s < separators.size(); ++s)
+    if(!is_idle[s])
+      result.push_back(std::move(separators[s]));
+  return result;
+}
+
 /// Returns the network of limbs that separators cut a surface into. In a tree, separators mean
 /// nothing among scattered patches, and there are wave fronts instead. O(n log n) in practice.
 /// \param candidates from `separator_candidates()`
@@ -77,20 +99,30 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
   const bool is_frame = reading == Limb_reading::frame;
   const std::vector<bool> is_scattered =
     is_frame ? std::vector<bool>(samples.size(), false) : scattered_patches(surface, samples);
-  const std::vector<Local_separator> separators =
+  std::vector<Local_separator> separators =
     without_marked(local_separators(candidates, surface, samples, overlaps, !is_frame,
                                     options.separators, concurrency),
                    is_scattered);
+  const auto quotient_of = [&] {
+    return surface_quotient(surface.patches, samples, overlaps, separators, concurrency);
+  };
+  const auto with_loops_seen = [&](Surface_quotient quotient) {
+    set_evidence(quotient, surface, samples, is_frame ? Strip::side : Strip::leaf, concurrency);
+    quotient.graph =
+      with_loops_opened(std::move(quotient.graph), [&](const Curve_evidence& loop) {
+        return is_loop(loop, reading, options.curve.limb_evidence);
+      });
+    return quotient;
+  };
+  Surface_quotient quotient = quotient_of();
+  if(!quotient.handles.empty()) {
+    separators = without_idle(std::move(separators), with_loops_seen(std::move(quotient)));
+    quotient = with_handle_fronts(quotient_of(), separators, surface.patches, samples,
+                                  overlaps.pairs());
+  }
   Limb_network result;
-  result.quotient =
-    with_wave_fronts(surface_quotient(surface.patches, samples, overlaps, separators, concurrency),
-                     surface.patches, samples, overlaps.pairs(), is_scattered);
-  set_evidence(result.quotient, surface, samples, is_frame ? Strip::side : Strip::leaf,
-               concurrency);
-  result.quotient.graph =
-    with_loops_opened(std::move(result.quotient.graph), [&](const Curve_evidence& loop) {
-      return is_loop(loop, reading, options.curve.limb_evidence);
-    });
+  result.quotient = with_loops_seen(with_wave_fronts(
+    std::move(quotient), surface.patches, samples, overlaps.pairs(), is_scattered));
   result.pruned = prune(result.quotient, surface.patches, surface.components, surface.groups,
                         options.curve);
   return result;

@@ -13,6 +13,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -103,8 +104,7 @@ public:
 
     center_ = samples_[seed].position;
     const double radius = (std::max)(samples_[seed].radius, patches_[seed].spacing / 2);
-    region_.push_back_if(true, seed);
-    label_[seed] = region;
+    add_to_region(seed);
     area_ = static_cast<double>(areas_[seed]);
     add_neighbors_to_front(seed);
     Result result;
@@ -136,6 +136,45 @@ public:
     for(std::size_t i : region_)
       if(label_[i] != on_separator && (positions_[i] - center_).squaredNorm() < same * same)
         result.same.push_back(i);
+    clear();
+    return result;
+  }
+
+  /// Returns the separator through a ring of connected patches: the region grows from them, layer by
+  /// layer, until its front splits. Empty if that takes more layers than a ring is uneven.
+  Local_separator grow_from_ring(const std::vector<std::size_t>& ring)
+  {
+    constexpr int layers = 3;
+    for(std::size_t i : ring)
+      add_to_region(i);
+    for(std::size_t i : ring)
+      add_neighbors_to_front(i);
+    Local_separator result;
+    for(int layer = 0; layer < layers; ++layer) {
+      const std::vector<Part> parts = connected_parts();
+      if(splits(parts)) {
+        result = cut(parts);
+        break;
+      }
+      const std::size_t first = region_.size();
+      for(std::size_t i : front_)
+        add_to_region(i);
+      front_.shorten(0);
+      for(std::size_t k = first; k < region_.size(); ++k)
+        add_neighbors_to_front(region_[k]);
+    }
+    clear();
+    return result;
+  }
+
+  /// Returns the separator halfway between two borders of some patches, whose sides are in the
+  /// order of the borders; patches on the borders are among them or beside them.
+  Local_separator halfway(const std::vector<std::size_t>& patches,
+                          const std::array<std::vector<std::size_t>, 2>& borders)
+  {
+    for(std::size_t i : patches)
+      add_to_region(i);
+    const Local_separator result = cut({{borders[0], 0}, {borders[1], 0}});
     clear();
     return result;
   }
@@ -176,6 +215,12 @@ private:
   bool is_on_sheet(std::size_t i) const
   {
     return samples_[i].radius == 0 && coplanarity(patches_[i], patches_[i]) >= options_.overlap;
+  }
+
+  void add_to_region(std::size_t i)
+  {
+    region_.push_back_if(true, i);
+    label_[i] = region;
   }
 
   /// Adds the new neighbours of a patch to the front.

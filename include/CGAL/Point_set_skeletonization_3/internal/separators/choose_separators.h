@@ -39,6 +39,9 @@ namespace internal {
 class Separator_choice
 {
 public:
+  /// Refers to all arguments but the candidates. `limbs` is the graph of adjacent patches within
+  /// limbs (`Ball_overlaps::are_in_one_limb()`).
+  /// \param fills_gaps whether narrow holes of sheets are holes of the data
   Separator_choice(std::vector<Local_separator> candidates, const Surface& surface,
                    const Samples& samples, const Patch_graph& limbs, bool fills_gaps,
                    const Separator_options& options, Concurrency concurrency)
@@ -49,7 +52,8 @@ public:
       waiting_(candidates_, surface.patches.size()), paths_(candidates_.size())
   {}
 
-  /// Returns the chosen separators; candidates are tested in their order. To be called once.
+  /// Returns the candidates that cut a limb and share no patch with one chosen before; they are
+  /// tested in their order. To be called once.
   std::vector<Local_separator> run()
   {
     std::vector<Local_separator> result;
@@ -68,6 +72,12 @@ public:
       result.push_back(std::move(candidates_[s]));
     }
     return result;
+  }
+
+  /// Whether another separator cuts a limb. \pre it shares no patch with a chosen one
+  bool cuts_limb(const Local_separator& separator)
+  {
+    return cuts_limb(separator, paths_around({&separator}).front());
   }
 
 private:
@@ -142,26 +152,40 @@ private:
   void find_paths()
   {
     const std::vector<std::size_t> wanted = waiting_.take_first();
+    std::vector<const Local_separator*> candidates;
+    for(std::size_t s : wanted)
+      candidates.push_back(&candidates_[s]);
+    std::vector<Path> found = paths_around(candidates);
+    for(std::size_t k = 0; k < wanted.size(); ++k)
+      paths_[wanted[k]] = std::move(found[k]);
+  }
+
+  /// The path around each of some separators.
+  std::vector<Path> paths_around(const std::vector<const Local_separator*>& separators)
+  {
+    std::vector<Path> result(separators.size());
     std::vector<std::size_t> doubtful;
-    for(std::size_t s : wanted) {
+    for(std::size_t k = 0; k < separators.size(); ++k) {
       Progress::poll();
-      paths_[s].emplace();
-      if(!cuts_.add_if_cuts(candidates_[s]))
-        doubtful.push_back(s);
+      if(!cuts_.add_if_cuts(*separators[k]))
+        doubtful.push_back(k);
     }
     parallel_for(concurrency_, doubtful.size(), [&](std::size_t k) {
-      paths_[doubtful[k]]->patches = search_.local().around(candidates_[doubtful[k]]);
+      result[doubtful[k]].patches = search_.local().around(*separators[doubtful[k]]);
     });
     const std::size_t known = curves_.size();
-    for(std::size_t s : wanted)
-      if(static_cast<double>(paths_[s]->patches.size()) > options_.around_a_tip) {
-        paths_[s]->is_around_gap = fills_gaps_ && is_around_gap(paths_[s]->patches, candidates_[s]);
-        paths_[s]->curve = curve_like(closed_curve(paths_[s]->patches, candidates_[s]));
+    for(std::size_t k = 0; k < separators.size(); ++k) {
+      Path& path = result[k];
+      if(static_cast<double>(path.patches.size()) > options_.around_a_tip) {
+        path.is_around_gap = fills_gaps_ && is_around_gap(path.patches, *separators[k]);
+        path.curve = curve_like(closed_curve(path.patches, *separators[k]));
       }
+    }
     parallel_for(concurrency_, curves_.size() - known, [&](std::size_t k) {
       Known_curve& curve = curves_[known + k];
       curve.is_contractible = curve.curve.is_contractible();
     });
+    return result;
   }
 
   /// Whether a closed path around a separator runs mostly on a sheet, around a hole that is not much
@@ -223,19 +247,6 @@ private:
   std::vector<Path_search::Path> contractible_loops_; ///< Closed paths.
   std::unordered_map<std::size_t, std::vector<std::size_t>> loops_through_; ///< Each patch.
 };
-
-/// Returns the candidates that cut a limb and share no patch with one chosen before. `limbs` is the
-/// graph of adjacent patches within limbs (`Ball_overlaps::are_in_one_limb()`).
-/// \param fills_gaps whether narrow holes of sheets are holes of the data
-inline std::vector<Local_separator>
-choose_separators(std::vector<Local_separator> candidates, const Surface& surface,
-                  const Samples& samples, const Patch_graph& limbs, bool fills_gaps,
-                  const Separator_options& options, Concurrency concurrency)
-{
-  return Separator_choice(std::move(candidates), surface, samples, limbs, fills_gaps, options,
-                          concurrency)
-    .run();
-}
 
 } // namespace internal
 } // namespace Point_set_skeletonization_3

@@ -13,6 +13,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Local_separator.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Separator_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/choose_separators.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/handle_separators.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
@@ -107,17 +108,20 @@ inline std::vector<Local_separator> separator_candidates(const Surface& surface,
   return found;
 }
 
-/// Part 3a: returns those of the candidates that cut limbs, in their order, no patch on two of them.
-/// O(n log n) in practice. \param fills_gaps see `choose_separators()`
+/// Part 3a: returns those of the candidates that cut limbs, in their order, no patch on two of them;
+/// then rings around the handles that these leave. O(n log n) in practice.
+/// \param fills_gaps see `Separator_choice`
 inline std::vector<Local_separator>
 local_separators(std::vector<Local_separator> candidates, const Surface& surface,
                  const Samples& samples, const Ball_overlaps& overlaps, bool fills_gaps,
                  const Separator_options& options, Concurrency concurrency)
 {
+  const Patch_graph graph(surface.patches, overlaps.pairs());
   const Patch_graph limbs(surface.patches, overlaps.pairs(),
                           [&](std::size_t k) { return overlaps.are_in_one_limb(k); });
-  return choose_separators(std::move(candidates), surface, samples, limbs, fills_gaps, options,
-                           concurrency);
+  Separator_choice choice(std::move(candidates), surface, samples, limbs, fills_gaps, options,
+                          concurrency);
+  return Handle_cuts(choice.run(), choice, surface.patches, samples, limbs, graph, options).run();
 }
 
 } // namespace internal

@@ -1,0 +1,348 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_HANDLE_FRONTS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_HANDLE_FRONTS_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/minimum_spanning_forest.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/quantile.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Refined_quotient.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Local_separator.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Shortest_paths.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// How far each patch of a piece is around a handle, from the second side of its separator on to
+/// the first. Divided into levels of equal length.
+struct Handle_levels
+{
+  std::vector<std::size_t> level; ///< Of each patch; of those outside the piece undefined.
+  std::size_t number = 0;
+
+  /// Number of levels between two patches.
+  std::size_t between(std::size_t i, std::size_t j) const
+  {
+    return level[i] > level[j] ? level[i] - level[j] : level[j] - level[i];
+  }
+
+  /// Whether the way from one patch to an adjacent one crosses the separator.
+  bool are_across(std::size_t i, std::size_t j) const { return 2 * between(i, j) > number; }
+};
+
+/// Replaces pieces that handles lead around by trees of fronts. Such a piece, between the two sides
+/// of one separator, may be most of the shape: the wall of a pipe is one, and a curve through its
+/// middle is no curve around the pipe. A front is a connected part of it that is equally far around
+/// each of its handles; the curve leads from the middle of each front to that of the next. The
+/// fronts of a piece become a tree, so that the cycles stay those around separators.
+class Handle_fronts
+{
+public:
+  /// Refers to all arguments.
+  Handle_fronts(const Surface_quotient& quotient, const std::vector<Local_separator>& separators,
+                const Patches& patches, const std::vector<Patch_pair>& pairs)
+    : quotient_(quotient), separators_(separators), patches_(patches), graph_(patches, pairs),
+      paths_(graph_, patches.size()), front_(patches.size(), none), result_(quotient)
+  {}
+
+  /// Returns the quotient with fronts for all pieces that handles lead around. To be called once.
+  /// O(n log n) for each handle.
+  Surface_quotient with_fronts(const Samples& samples)
+  {
+    std::map<std::size_t, std::vector<Surface_quotient::Handle>> handles_around;
+    for(const Surface_quotient::Handle& handle : quotient_.handles)
+      handles_around[handle.piece].push_back(handle);
+    for(const auto& [piece, handles] : handles_around)
+      if(!is_between_separators_only(piece))
+        replace(piece, handles);
+    return result_.take(patches_, samples);
+  }
+
+private:
+  static constexpr std::size_t none = Shortest_paths::none;
+  using Handle = Surface_quotient::Handle;
+  using Fronts = std::vector<std::vector<std::size_t>>; ///< The patches of each.
+
+  /// A vertex of the quotient that is to be adjacent to a front.
+  struct Attachment
+  {
+    std::size_t vertex, front;
+  };
+
+  /// Two adjacent fronts.
+  struct Contact
+  {
+    std::size_t a, b;
+    std::size_t size; ///< Number of adjacent patches.
+
+    /// Greater contact comes first.
+    bool operator<(const Contact& other) const
+    {
+      return size != other.size ? size > other.size
+                                : std::make_pair(a, b) < std::make_pair(other.a, other.b);
+    }
+  };
+
+  bool is_in(std::size_t piece, std::size_t i) const
+  {
+    return quotient_.vertex_of_patch[i] == piece;
+  }
+
+  /// Whether a piece has no patches of its own.
+  bool is_between_separators_only(std::size_t piece) const
+  {
+    return !is_in(piece, quotient_.members[piece].front());
+  }
+
+  /// Replaces a piece by its fronts.
+  void replace(std::size_t piece, const std::vector<Handle>& handles)
+  {
+    std::vector<Handle_levels> levels;
+    for(const Handle& handle : handles)
+      levels.push_back(levels_of(handle));
+    const Fronts fronts = fronts_of(piece, levels);
+    const std::vector<Contact> tree = spanning_tree(piece, levels, fronts.size());
+    const std::vector<Attachment> attached = attach(piece, handles);
+    const std::vector<std::size_t> kept = without_dead_ends(fronts.size(), tree, attached);
+    result_.remove(piece);
+    std::vector<std::size_t> vertex(fronts.size(), none);
+    for(std::size_t f = 0; f < fronts.size(); ++f)
+      if(kept[f] == f)
+        vertex[f] = result_.add_front();
+    for(std::size_t f = 0; f < fronts.size(); ++f)
+      for(std::size_t i : fronts[f])
+        result_.add_to_front(vertex[kept[f]], i);
+    for(const Contact& contact : tree)
+      if(kept[contact.a] == contact.a && kept[contact.b] == contact.b)
+        result_.add_edge(vertex[contact.a], vertex[contact.b]);
+    for(const Attachment& attachment : attached)
+      result_.add_edge(attachment.vertex, vertex[kept[attachment.front]]);
+  }
+
+  /// The distances of the patches of a piece from some beside or in it.
+  std::vector<double> distances(std::size_t piece, const std::vector<std::size_t>& start)
+  {
+    std::vector<Shortest_paths::Reached> from;
+    for(std::size_t i : start)
+      from.emplace_back(0., i);
+    paths_.spread(from, [&](std::size_t i) { return is_in(piece, i); });
+    std::vector<double> result;
+    for(std::size_t i : quotient_.members[piece])
+      result.push_back(paths_.distance(i));
+    return result;
+  }
+
+  /// How far the patches of the piece are around a handle: the share of the way. Halfway around if
+  /// they are not reached.
+  Handle_levels levels_of(const Handle& handle)
+  {
+    constexpr double fewest = 4; // a curve around the handle
+    const std::vector<std::size_t>& members = quotient_.members[handle.piece];
+    const Local_separator& separator = separators_[handle.separator];
+    const std::vector<double> from = distances(handle.piece, separator.sides[1]),
+                              to = distances(handle.piece, separator.sides[0]);
+    std::vector<double> lengths, spacings;
+    for(std::size_t k = 0; k < members.size(); ++k) {
+      spacings.push_back(patches_[members[k]].spacing);
+      if(from[k] + to[k] < Shortest_paths::infinity)
+        lengths.push_back(from[k] + to[k]);
+    }
+    const double length = lengths.empty() ? 0 : quantile(lengths, 0.5);
+    Handle_levels result;
+    result.number = static_cast<std::size_t>((std::max)(
+      fewest, std::round(length / (front_distance * quantile(spacings, 0.5)))));
+    result.level.resize(patches_.size());
+    for(std::size_t k = 0; k < members.size(); ++k) {
+      const double total = from[k] + to[k];
+      const double share = total > 0 && total < Shortest_paths::infinity ? from[k] / total : 0.5;
+      result.level[members[k]] =
+        (std::min)(result.number - 1,
+                   static_cast<std::size_t>(static_cast<double>(result.number) * share));
+    }
+    return result;
+  }
+
+  /// Divides a piece into fronts: the patches of the same levels that are connected through them
+  /// and the levels beside, as far as noise leads.
+  Fronts fronts_of(std::size_t piece, const std::vector<Handle_levels>& levels)
+  {
+    const auto between = [&](std::size_t i, std::size_t j) {
+      std::size_t most = 0;
+      for(const Handle_levels& around : levels)
+        most = (std::max)(most, around.between(i, j));
+      return most;
+    };
+    for(std::size_t i : quotient_.members[piece])
+      front_[i] = none;
+    Fronts result;
+    std::vector<std::size_t> seen(patches_.size(), none); // the last front whose search saw it
+    for(std::size_t first : quotient_.members[piece]) {
+      if(front_[first] != none)
+        continue;
+      std::vector<std::size_t> connected{first}, front;
+      seen[first] = result.size();
+      for(std::size_t next = 0; next < connected.size(); ++next) {
+        const std::size_t i = connected[next];
+        if(between(i, first) == 0) {
+          front_[i] = result.size();
+          front.push_back(i);
+        }
+        for(const auto& edge : graph_[i])
+          if(is_in(piece, edge.patch) && seen[edge.patch] != result.size() &&
+             between(edge.patch, first) <= 1) {
+            seen[edge.patch] = result.size();
+            connected.push_back(edge.patch);
+          }
+      }
+      result.push_back(std::move(front));
+    }
+    return result;
+  }
+
+  /// The contacts that connect the fronts of a piece to a tree, the greatest first, none across a
+  /// separator.
+  std::vector<Contact> spanning_tree(std::size_t piece, const std::vector<Handle_levels>& levels,
+                                     std::size_t fronts) const
+  {
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> sizes;
+    for(std::size_t i : quotient_.members[piece])
+      for(const auto& edge : graph_[i])
+        if(edge.patch > i && is_in(piece, edge.patch) && front_[i] != front_[edge.patch] &&
+           std::none_of(levels.begin(), levels.end(), [&](const Handle_levels& around) {
+             return around.are_across(i, edge.patch);
+           }))
+          ++sizes[std::minmax(front_[i], front_[edge.patch])];
+    std::vector<Contact> contacts;
+    for(const auto& [pair, size] : sizes)
+      contacts.push_back({pair.first, pair.second, size});
+    Union_find sets(fronts);
+    std::vector<Contact> result = minimum_spanning_forest(sets, fronts, std::move(contacts));
+    for(std::size_t f = 0; f < fronts; ++f) // a piece need not be connected
+      if(sets.join(0, f))
+        result.push_back({0, f, 0});
+    return result;
+  }
+
+  /// Finds the fronts beside the separators around a piece, among them those of its handles, which
+  /// have one on either side.
+  std::vector<Attachment> attach(std::size_t piece, const std::vector<Handle>& handles)
+  {
+    std::vector<Attachment> result;
+    std::vector<std::size_t> own;
+    for(const Handle& handle : handles) {
+      const Local_separator& separator = separators_[handle.separator];
+      const std::size_t a = front_beside(piece, separator.sides[0]),
+                        b = front_beside(piece, separator.sides[1]);
+      result.push_back({handle.separator, a});
+      if(a == b)
+        result.push_back({handle.extra, b});
+      else {
+        result.push_back({handle.separator, b});
+        result_.remove(handle.extra);
+      }
+      own.push_back(handle.separator);
+      own.push_back(handle.extra);
+    }
+    for(const Skeleton_graph::Edge& e : quotient_.graph.edges) {
+      if(e.first != piece && e.second != piece)
+        continue;
+      const std::size_t v = e.first == piece ? e.second : e.first;
+      if(std::find(own.begin(), own.end(), v) == own.end())
+        result.push_back({v, front_beside(piece, quotient_.members[v])});
+    }
+    return result;
+  }
+
+  /// The front of a piece that most of some patches are in or beside.
+  std::size_t front_beside(std::size_t piece, const std::vector<std::size_t>& patches) const
+  {
+    std::map<std::size_t, std::size_t> sizes;
+    const auto count = [&](std::size_t i) {
+      if(is_in(piece, i))
+        ++sizes[front_[i]];
+    };
+    for(std::size_t i : patches) {
+      count(i);
+      for(const auto& edge : graph_[i])
+        count(edge.patch);
+    }
+    const auto largest = std::max_element(
+      sizes.begin(), sizes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    return largest == sizes.end() ? 0 : largest->first;
+  }
+
+  /// Returns for each front the one that it belongs to: dead ends of the tree of fronts that nothing
+  /// is attached to are no limbs, or a separator would cut them off.
+  static std::vector<std::size_t> without_dead_ends(std::size_t fronts,
+                                                    const std::vector<Contact>& tree,
+                                                    const std::vector<Attachment>& attached)
+  {
+    std::vector<std::vector<std::size_t>> adjacent(fronts);
+    std::vector<std::size_t> degree(fronts, 0); // a front with an attachment has one more
+    for(const Contact& contact : tree) {
+      adjacent[contact.a].push_back(contact.b);
+      adjacent[contact.b].push_back(contact.a);
+      ++degree[contact.a];
+      ++degree[contact.b];
+    }
+    for(const Attachment& attachment : attached)
+      degree[attachment.front] += 2;
+    std::vector<std::size_t> result(fronts), dead_ends;
+    std::iota(result.begin(), result.end(), std::size_t(0));
+    for(std::size_t f = 0; f < fronts; ++f)
+      if(degree[f] <= 1)
+        dead_ends.push_back(f);
+    for(std::size_t k = 0; k < dead_ends.size(); ++k) {
+      const std::size_t f = dead_ends[k];
+      const auto next = std::find_if(adjacent[f].begin(), adjacent[f].end(),
+                                     [&](std::size_t g) { return result[g] == g; });
+      result[f] = next != adjacent[f].end() ? *next : attached.front().front;
+      if(next != adjacent[f].end() && --degree[*next] == 1)
+        dead_ends.push_back(*next);
+    }
+    for(std::size_t k = dead_ends.size(); k-- > 0;) // the last is beside what stays
+      result[dead_ends[k]] = result[result[dead_ends[k]]];
+    return result;
+  }
+
+  const Surface_quotient& quotient_;
+  const std::vector<Local_separator>& separators_;
+  const Patches& patches_;
+  Patch_graph graph_;
+  Shortest_paths paths_;
+  std::vector<std::size_t> front_; ///< Of each patch of the current piece; others are undefined.
+  Refined_quotient result_;
+};
+
+/// Part 3b: returns a quotient with fronts for the pieces that handles lead around. O(n log n) for
+/// each handle; O(1) without handles.
+/// \param pairs adjacent patches, `Ball_overlaps::pairs()`
+inline Surface_quotient with_handle_fronts(Surface_quotient quotient,
+                                           const std::vector<Local_separator>& separators,
+                                           const Patches& patches, const Samples& samples,
+                                           const std::vector<Patch_pair>& pairs)
+{
+  if(quotient.handles.empty())
+    return quotient;
+  return Handle_fronts(quotient, separators, patches, pairs).with_fronts(samples);
+}
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_HANDLE_FRONTS_H
