@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -381,7 +382,26 @@ TEST_CASE("The middle of samples is not drawn away by one that went astray")
   std::vector<std::size_t> members(samples.size());
   for(std::size_t i = 0; i < members.size(); ++i)
     members[i] = i;
-  CHECK(middle(members, Patches(samples.size()), samples).position.norm() < 0.2); // the mean is off by 5
+  Patch patch;
+  patch.area = 1;
+  const Patches patches(samples.size(), patch);
+  CHECK(middle(members, patches, samples).position.norm() < 0.2); // the mean is off by 5
+}
+
+TEST_CASE("The middle of samples is that of the surface, however finely it is divided")
+{
+  // A line of patches, in the first half four times as fine as in the second.
+  Samples samples;
+  Patches patches;
+  for(double x = 0; x < 20; x += patches.back().area) {
+    patches.emplace_back();
+    patches.back().area = x < 10 ? 0.25 : 1;
+    samples.push_back({Vector3(x + patches.back().area / 2, 0, 0), 1});
+  }
+  std::vector<std::size_t> members(samples.size());
+  for(std::size_t i = 0; i < members.size(); ++i)
+    members[i] = i;
+  CHECK(std::abs(middle(members, patches, samples).position.x() - 10) < 0.6);
 }
 
 TEST_CASE("Components with next to no points are stray")

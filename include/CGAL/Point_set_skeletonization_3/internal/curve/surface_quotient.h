@@ -154,8 +154,9 @@ patches_of_vertices(const std::vector<std::size_t>& vertex_of_patch, std::size_t
   return result;
 }
 
-/// Returns the L1-median of some samples, their mean radius, the mean resolution of their patches,
-/// and the share that is on its patch. O(samples). \pre there is a sample
+/// Returns the L1-median of some samples, which count as much as the areas of their patches; their
+/// mean radius, the mean resolution of their patches, and the share that is on its patch. O(samples).
+/// \pre there is a sample
 inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
                                      const Patches& patches, const Samples& samples)
 {
@@ -167,9 +168,12 @@ inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
     result.open += is_off_surface(samples[i], patches[i]) ? 0 : share;
   }
   std::vector<Vector3> positions;
-  for(std::size_t i : members)
+  std::vector<double> areas;
+  for(std::size_t i : members) {
     positions.push_back(samples[i].position);
-  result.position = l1_median(positions, 0.1 * result.radius + least_spacing);
+    areas.push_back(patches[i].area);
+  }
+  result.position = l1_median(positions, areas, 0.1 * result.radius + least_spacing);
   return result;
 }
 
