@@ -13,9 +13,9 @@ namespace Point_set_skeletonization_3 {
 namespace internal {
 
 /// Returns the L1-median of some points (Eigen vectors), the place with the least sum of distances
-/// to them times their weights, which is robust against outliers: ten of Weiszfeld's iterations from
-/// their mean. Distances count as at least `closest`, or a single point would take all the weight.
-/// O(points).
+/// to them times their weights, which is robust against outliers: ten of Weiszfeld's iterations
+/// from their mean. Distances count as at least `closest`, or a single point would take all the
+/// weight. O(points).
 /// \pre there is a weight for each point, none is negative, and one is positive; so is `closest`
 template <typename Point>
 Point l1_median(const std::vector<Point>& points, const std::vector<double>& weights,

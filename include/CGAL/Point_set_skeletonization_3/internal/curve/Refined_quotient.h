@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Distance of one front to the next, in spacings: what is smaller than the surroundings in which the
-/// kind of a place is known is no shape.
+/// Distance of one front to the next, in spacings: what is smaller than the surroundings in which
+/// the kind of a place is known is no shape.
 constexpr double front_distance = 3;
 
 /// A quotient in which pieces are replaced by fronts: parts of the piece, one after the other along

@@ -285,8 +285,8 @@ private:
     return largest == sizes.end() ? 0 : largest->first;
   }
 
-  /// Returns for each front the one that it belongs to: dead ends of the tree of fronts that nothing
-  /// is attached to are no limbs, or a separator would cut them off.
+  /// Returns for each front the one that it belongs to: dead ends of the tree of fronts that
+  /// nothing is attached to are no limbs, or a separator would cut them off.
   static std::vector<std::size_t> without_dead_ends(std::size_t fronts,
                                                     const std::vector<Contact>& tree,
                                                     const std::vector<Attachment>& attached)

@@ -155,8 +155,8 @@ patches_of_vertices(const std::vector<std::size_t>& vertex_of_patch, std::size_t
 }
 
 /// Returns the L1-median of some samples, which count as much as the areas of their patches; their
-/// mean radius, the mean resolution of their patches, and the share that is on its patch. O(samples).
-/// \pre there is a sample
+/// mean radius, the mean resolution of their patches, and the share that is on its patch.
+/// O(samples). \pre there is a sample
 inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
                                      const Patches& patches, const Samples& samples)
 {

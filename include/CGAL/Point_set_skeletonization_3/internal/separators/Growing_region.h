@@ -140,8 +140,8 @@ public:
     return result;
   }
 
-  /// Returns the separator through a ring of connected patches: the region grows from them, layer by
-  /// layer, until its front splits. Empty if that takes more layers than a ring is uneven.
+  /// Returns the separator through a ring of connected patches: the region grows from them, layer
+  /// by layer, until its front splits. Empty if that takes more layers than a ring is uneven.
   Local_separator grow_from_ring(const std::vector<std::size_t>& ring)
   {
     constexpr int layers = 3;

@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_SURFACE_LOOPS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_SURFACE_LOOPS_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Shortest_paths.h>
@@ -19,8 +20,8 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Finds the closed paths on a surface that cannot be shrunk to a point on it: around limbs, through
-/// tunnels, and around holes of the data.
+/// Finds the closed paths on a surface that cannot be shrunk to a point on it: around limbs,
+/// through tunnels, and around holes of the data.
 ///
 /// Each edge off the tree of shortest paths from a root closes one (Erickson & Whittlesey 2005). If
 /// the path of one edge of a triangle can be shrunk, those of the other two can be moved onto each
@@ -97,6 +98,7 @@ private:
         result.join(shrunk, e + 1);
     std::vector<std::array<std::size_t, 3>> open = triangles();
     for(bool is_changed = true; is_changed;) { // a few times
+      Progress::poll();
       is_changed = false;
       for(const std::array<std::size_t, 3>& triangle : open)
         for(std::size_t k = 0; k < 3; ++k)

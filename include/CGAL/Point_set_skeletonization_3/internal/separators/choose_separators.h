@@ -188,19 +188,21 @@ private:
     return result;
   }
 
-  /// Whether a closed path around a separator runs mostly on a sheet, around a hole that is not much
-  /// wider than the strip beside it, which the separator cuts.
+  /// Whether a closed path around a separator runs mostly on a sheet, around a hole that is not
+  /// much wider than the strip beside it, which the separator cuts.
   bool is_around_gap(const Path_search::Path& path, const Local_separator& separator) const
   {
-    // Widths of the strip: holes between the lines of a scanner are about as wide as what is between
-    // them, those between wires ten times as wide as a wire. (The same results from 3 to 10.)
+    // Widths of the strip: holes between the lines of a scanner are about as wide as what is
+    // between them, those between wires ten times as wide as a wire. (The same results from 3 to
+    // 10.)
     constexpr double widest = 4;
     Vector3 area = Vector3::Zero(); // times two; of a closed polygon, whatever the origin
     double length = 0, on_sheet = 0;
     const Vector3 origin = surface_.patches[path.front()].mean;
     for(std::size_t k = 0; k < path.size(); ++k) {
       const std::size_t i = path[k], j = path[k + 1 < path.size() ? k + 1 : 0];
-      const Vector3 from = surface_.patches[i].mean - origin, to = surface_.patches[j].mean - origin;
+      const Vector3 from = surface_.patches[i].mean - origin,
+                    to = surface_.patches[j].mean - origin;
       area += from.cross(to);
       length += (to - from).norm();
       on_sheet += is_off_surface(samples_[i], surface_.patches[i]) ? 0 : 1;

@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_HANDLE_SEPARATORS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_HANDLE_SEPARATORS_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Growing_region.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Local_separator.h>
@@ -27,8 +28,8 @@ namespace internal {
 /// Cuts the handles that local separators leave. The wall of a pipe or a plate with a hole may be
 /// too wide for any ball, so that no front splits; but a shape whose pieces still have handles has
 /// more loops than its skeleton. In each piece the shortest closed path that leaves it connected,
-/// and cuts a limb, becomes a ring. (One around a tunnel does not: the way around it can be shrunk in
-/// the solid.)
+/// and cuts a limb, becomes a ring. (One around a tunnel does not: the way around it can be shrunk
+/// in the solid.)
 class Handle_cuts
 {
 public:
@@ -54,6 +55,7 @@ public:
     for(std::size_t i = 0; i < patches_.size(); ++i) {
       if(!is_free_[i] || is_done[i])
         continue;
+      Progress::poll();
       const std::vector<std::size_t> piece = connected_with({i});
       for(std::size_t j : piece)
         is_done[j] = true;
@@ -85,11 +87,13 @@ private:
   {
     for(const Surface_loops::Path& path :
         loops_.through(root, [&](std::size_t i) { return is_free_[i]; })) {
+      Progress::poll();
       if(static_cast<double>(path.size()) <= options_.around_a_tip)
         continue;
       Local_separator ring = region_.grow_from_ring(path);
-      if(ring.patches.empty() || !is_free(ring) || !encloses_solid(ring) || !leaves_connected(ring) ||
-         !choice_.cuts_limb(ring))
+      const bool cuts_handle = !ring.patches.empty() && is_free(ring) && encloses_solid(ring) &&
+                               leaves_connected(ring) && choice_.cuts_limb(ring);
+      if(!cuts_handle)
         continue;
       separators_.push_back(straightened(std::move(ring)));
       occupy(separators_.back(), true);

@@ -108,8 +108,8 @@ inline std::vector<Local_separator> separator_candidates(const Surface& surface,
   return found;
 }
 
-/// Part 3a: returns those of the candidates that cut limbs, in their order, no patch on two of them;
-/// then rings around the handles that these leave. O(n log n) in practice.
+/// Part 3a: returns those of the candidates that cut limbs, in their order, no patch on two of
+/// them; then rings around the handles that these leave. O(n log n) in practice.
 /// \param fills_gaps see `Separator_choice`
 inline std::vector<Local_separator>
 local_separators(std::vector<Local_separator> candidates, const Surface& surface,

@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_SHORTEST_PATHS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_SHORTEST_PATHS_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
 
 #include <cstddef>
@@ -56,6 +57,7 @@ public:
       queue.pop();
       if(distance > distance_[i])
         continue; // a shorter path was found
+      Progress::poll();
       order_.push_back(i);
       for(const auto& edge : graph_[i])
         reach(distance + static_cast<double>(edge.length), edge.patch, i);
