@@ -382,21 +382,19 @@ TEST_CASE("The middle of samples is not drawn away by one that went astray")
   std::vector<std::size_t> members(samples.size());
   for(std::size_t i = 0; i < members.size(); ++i)
     members[i] = i;
-  Patch patch;
-  patch.area = 1;
-  const Patches patches(samples.size(), patch);
-  CHECK(middle(members, patches, samples).position.norm() < 0.2); // the mean is off by 5
+  CHECK(middle(members, Patches(samples.size()), samples).position.norm() < 0.2); // the mean is off by 5
 }
 
 TEST_CASE("The middle of samples is that of the surface, however finely it is divided")
 {
-  // A line of patches, in the first half four times as fine as in the second.
+  // A line of components, in its second half of four to a patch.
   Samples samples;
   Patches patches;
-  for(double x = 0; x < 20; x += patches.back().area) {
+  for(double x = 0, length = 0; x < 20; x += length) {
     patches.emplace_back();
-    patches.back().area = x < 10 ? 0.25 : 1;
-    samples.push_back({Vector3(x + patches.back().area / 2, 0, 0), 1});
+    patches.back().components = x < 10 ? 1 : 4;
+    length = 0.25 * static_cast<double>(patches.back().components);
+    samples.push_back({Vector3(x + length / 2, 0, 0), 1});
   }
   std::vector<std::size_t> members(samples.size());
   for(std::size_t i = 0; i < members.size(); ++i)

@@ -154,9 +154,10 @@ patches_of_vertices(const std::vector<std::size_t>& vertex_of_patch, std::size_t
   return result;
 }
 
-/// Returns the L1-median of some samples, which count as much as the areas of their patches; their
-/// mean radius, the mean resolution of their patches, and the share that is on its patch.
-/// O(samples). \pre there is a sample
+/// Returns the L1-median of some samples, each as many times as its patch has components, so that
+/// it is the middle of the surface and not of where that is finely divided; their mean radius, the
+/// mean resolution of their patches, and the share that is on its patch. O(samples).
+/// \pre there is a sample
 inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
                                      const Patches& patches, const Samples& samples)
 {
@@ -168,12 +169,12 @@ inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
     result.open += is_off_surface(samples[i], patches[i]) ? 0 : share;
   }
   std::vector<Vector3> positions;
-  std::vector<double> areas;
+  std::vector<double> weights;
   for(std::size_t i : members) {
     positions.push_back(samples[i].position);
-    areas.push_back(patches[i].area);
+    weights.push_back(static_cast<double>(patches[i].components));
   }
-  result.position = l1_median(positions, areas, 0.1 * result.radius + least_spacing);
+  result.position = l1_median(positions, weights, 0.1 * result.radius + least_spacing);
   return result;
 }
 
