@@ -73,8 +73,9 @@ public:
       if(!is_front && is_removed_[v])
         continue;
       index[v] = result.members.size();
-      result.graph.vertices.push_back(is_front ? middle(members_[v], patches, samples)
-                                               : quotient_.graph.vertices[v]);
+      result.graph.vertices.push_back(
+        is_front ? middle(members_[v], patches, samples, Sample_weight::components)
+                 : quotient_.graph.vertices[v]);
       result.graph.vertices.back().is_cross_section |= is_front;
       result.members.push_back(std::move(members_[v]));
     }

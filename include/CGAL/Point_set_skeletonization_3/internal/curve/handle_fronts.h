@@ -49,6 +49,7 @@ struct Handle_levels
 /// middle is no curve around the pipe. A front is a connected part of it that is equally far around
 /// each of its handles; the curve leads from the middle of each front to that of the next. The
 /// fronts of a piece become a tree, so that the cycles stay those around separators.
+/// Handles that local separators cut are left as they are.
 class Handle_fronts
 {
 public:
@@ -59,13 +60,14 @@ public:
       paths_(graph_, patches.size()), front_(patches.size(), none), result_(quotient)
   {}
 
-  /// Returns the quotient with fronts for all pieces that handles lead around. To be called once.
+  /// Returns the quotient with fronts for these pieces. To be called once.
   /// O(n log n) for each handle.
   Surface_quotient with_fronts(const Samples& samples)
   {
     std::map<std::size_t, std::vector<Surface_quotient::Handle>> handles_around;
     for(const Surface_quotient::Handle& handle : quotient_.handles)
-      handles_around[handle.piece].push_back(handle);
+      if(separators_[handle.separator].is_of_handle)
+        handles_around[handle.piece].push_back(handle);
     for(const auto& [piece, handles] : handles_around)
       if(!is_between_separators_only(piece))
         replace(piece, handles);

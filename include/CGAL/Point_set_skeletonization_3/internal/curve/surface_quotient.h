@@ -154,12 +154,19 @@ patches_of_vertices(const std::vector<std::size_t>& vertex_of_patch, std::size_t
   return result;
 }
 
-/// Returns the L1-median of some samples, each as many times as its patch has components, so that
-/// it is the middle of the surface and not of where that is finely divided; their mean radius, the
-/// mean resolution of their patches, and the share that is on its patch. O(samples).
-/// \pre there is a sample
+/// How much a sample counts in a middle.
+enum class Sample_weight
+{
+  one,        ///< All alike.
+  components, ///< As many times as its patch has components: the middle of a wide piece of surface
+              ///< is not where that is finely divided.
+};
+
+/// Returns the L1-median of some samples, their mean radius, the mean resolution of their patches,
+/// and the share that is on its patch. O(samples). \pre there is a sample
 inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
-                                     const Patches& patches, const Samples& samples)
+                                     const Patches& patches, const Samples& samples,
+                                     Sample_weight weight = Sample_weight::one)
 {
   Skeleton_graph::Vertex result;
   const double share = 1 / static_cast<double>(members.size());
@@ -172,7 +179,8 @@ inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
   std::vector<double> weights;
   for(std::size_t i : members) {
     positions.push_back(samples[i].position);
-    weights.push_back(static_cast<double>(patches[i].components));
+    weights.push_back(
+      weight == Sample_weight::one ? 1 : static_cast<double>(patches[i].components));
   }
   result.position = l1_median(positions, weights, 0.1 * result.radius + least_spacing);
   return result;

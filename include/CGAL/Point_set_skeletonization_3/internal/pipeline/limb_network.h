@@ -68,15 +68,15 @@ inline std::vector<Local_separator> without_marked(std::vector<Local_separator> 
   return separators;
 }
 
-/// Returns the separators but those of handles that are on no cycle of a quotient, since its loops
-/// have been opened: they cut nothing. O(n log n).
+/// Returns the separators but those that are only there because they cut a handle, if they are on no
+/// cycle of a quotient, since its loops have been opened. O(n log n).
 inline std::vector<Local_separator> without_idle(std::vector<Local_separator> separators,
                                                  const Surface_quotient& quotient)
 {
   const std::vector<std::size_t> part = two_edge_connected_components(quotient.graph);
   std::vector<bool> is_idle(separators.size(), false);
   for(const Surface_quotient::Handle& handle : quotient.handles)
-    is_idle[handle.separator] = true;
+    is_idle[handle.separator] = separators[handle.separator].is_of_handle;
   for(const Skeleton_graph::Edge& e : quotient.graph.edges)
     if(part[e.first] == part[e.second] && e.first < separators.size())
       is_idle[e.first] = false;
@@ -115,7 +115,8 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
     return quotient;
   };
   Surface_quotient quotient = quotient_of();
-  if(!quotient.handles.empty()) {
+  if(std::any_of(separators.begin(), separators.end(),
+                 [](const Local_separator& separator) { return separator.is_of_handle; })) {
     separators = without_idle(std::move(separators), with_loops_seen(std::move(quotient)));
     quotient = with_handle_fronts(quotient_of(), separators, surface.patches, samples,
                                   overlaps.pairs());

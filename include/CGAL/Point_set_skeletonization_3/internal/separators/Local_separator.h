@@ -21,6 +21,7 @@ struct Local_separator
   std::vector<std::size_t> patches;              ///< Ascending; empty if there is no separator.
   std::array<std::vector<std::size_t>, 2> sides; ///< Adjacent patches on either side, ascending.
   double length = 0;                             ///< Sum of the spacings of its patches.
+  bool is_of_handle = false; ///< Only there because it cuts a handle that others leave.
 };
 
 } // namespace internal

@@ -96,6 +96,7 @@ private:
       if(!cuts_handle)
         continue;
       separators_.push_back(straightened(std::move(ring)));
+      separators_.back().is_of_handle = true;
       occupy(separators_.back(), true);
       return true;
     }
