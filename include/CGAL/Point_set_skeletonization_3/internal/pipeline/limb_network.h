@@ -68,8 +68,8 @@ inline std::vector<Local_separator> without_marked(std::vector<Local_separator> 
   return separators;
 }
 
-/// Returns the separators but those that are only there because they cut a handle, if they are on no
-/// cycle of a quotient, since its loops have been opened. O(n log n).
+/// Returns the separators but those that are only there because they cut a handle, if they are on
+/// no cycle of a quotient, since its loops have been opened. O(n log n).
 inline std::vector<Local_separator> without_idle(std::vector<Local_separator> separators,
                                                  const Surface_quotient& quotient)
 {
