@@ -233,8 +233,11 @@ inline Surface_quotient surface_quotient(const Patches& patches, const Samples& 
   for(const Surface_quotient::Handle& handle : result.handles)
     members[handle.extra] = separators[handle.separator].sides[1];
   parallel_for(concurrency, members.size(), [&](std::size_t v) {
-    result.graph.vertices[v] = middle(members[v], patches, samples);
-    result.graph.vertices[v].is_cross_section = v < separators.size();
+    const bool is_cross_section = v < separators.size();
+    const bool is_wide = is_cross_section && separators[v].is_of_handle;
+    result.graph.vertices[v] =
+      middle(members[v], patches, samples, is_wide ? Sample_weight::components : Sample_weight::one);
+    result.graph.vertices[v].is_cross_section = is_cross_section;
   });
   return result;
 }
