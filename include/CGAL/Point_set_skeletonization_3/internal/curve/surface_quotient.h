@@ -235,8 +235,8 @@ inline Surface_quotient surface_quotient(const Patches& patches, const Samples& 
   parallel_for(concurrency, members.size(), [&](std::size_t v) {
     const bool is_cross_section = v < separators.size();
     const bool is_wide = is_cross_section && separators[v].is_of_handle;
-    result.graph.vertices[v] =
-      middle(members[v], patches, samples, is_wide ? Sample_weight::components : Sample_weight::one);
+    result.graph.vertices[v] = middle(members[v], patches, samples,
+                                      is_wide ? Sample_weight::components : Sample_weight::one);
     result.graph.vertices[v].is_cross_section = is_cross_section;
   });
   return result;
