@@ -23,6 +23,14 @@ public:
     open_ += length * (a.open + b.open) / 2;
   }
 
+  /// Adds another part.
+  void add(const Curve_evidence& other)
+  {
+    length_ += other.length_;
+    evidence_ += other.evidence_;
+    open_ += other.open_;
+  }
+
   double length() const { return length_; }
 
   /// The evidence for limbs, in [0, 1]; 0 without edges.

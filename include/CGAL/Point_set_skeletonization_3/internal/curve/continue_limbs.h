@@ -13,6 +13,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -35,20 +36,22 @@ public:
         limbs_[v] = limb(v, surface[v]);
   }
 
-  /// Adds the bridges, at most one from each tip: first those between two tips, which tell more,
-  /// and the shorter first.
+  /// Adds the bridges, at most one from each tip, the shorter first: those between two tips, which
+  /// tell more, then those that end elsewhere, also within a bridge.
   void run()
   {
-    std::vector<Bridge> bridges = candidates();
-    std::sort(bridges.begin(), bridges.end());
-    std::stable_partition(bridges.begin(), bridges.end(),
-                          [this](const Bridge& gap) { return is_tip(gap.b); });
     std::vector<bool> is_continued(adjacency_.size(), false);
-    for(const Bridge& gap : bridges) {
+    for(const Bridge& gap : pairs_of_tips()) {
       if(is_continued[gap.a] || is_continued[gap.b])
         continue;
+      is_continued[gap.a] = is_continued[gap.b] = true;
+      add_with_vertices(gap);
+    }
+    adjacency_ = graph_.adjacency();
+    for(const Bridge& gap : ends_elsewhere()) {
+      if(is_continued[gap.a])
+        continue;
       is_continued[gap.a] = true;
-      is_continued[gap.b] = is_tip(gap.b); // limbs may begin anywhere else
       graph_.edges.emplace_back(gap.a, gap.b);
     }
   }
@@ -80,7 +83,8 @@ private:
 
   bool is_tip(std::size_t v) const { return adjacency_[v].size() == 1; }
 
-  std::vector<Bridge> candidates() const
+  /// Returns the bridges from a tip to what `is_end(v, w)` says, the shorter first.
+  template <typename IsEnd> std::vector<Bridge> bridges(const IsEnd& is_end) const
   {
     const std::vector<Vector3> positions = positions_of(graph_);
     const Box_tree places(positions);
@@ -90,22 +94,70 @@ private:
       const double furthest = 2 * limb.length() + 2 * limb.reach; // the other one is no longer
       places.visit_within(positions[v], furthest, [&](std::size_t k, double) {
         const std::size_t w = places.order()[k];
-        if(continues(v, w) && (is_tip(w) ? is_longer(v, w) && continues(w, v) : !is_on_limb(w, v)))
+        if(is_end(v, w))
           result.push_back(bridge(v, w, graph_));
       });
     }
+    std::sort(result.begin(), result.end());
     return result;
   }
 
-  /// Whether the limb of a tip goes on at another vertex. As much as is missing was seen of it and,
-  /// if the other is a tip too, of the limb behind the gap.
-  bool continues(std::size_t tip, std::size_t w) const
+  std::vector<Bridge> pairs_of_tips() const
   {
+    return bridges([this](std::size_t v, std::size_t w) {
+      return is_tip(w) && is_longer(v, w) && are_one_limb(v, w);
+    });
+  }
+
+  std::vector<Bridge> ends_elsewhere() const
+  {
+    return bridges([this](std::size_t v, std::size_t w) {
+      return is_tip(v) && !is_tip(w) && !is_on_limb(w, v) && goes_on_at(v, w);
+    });
+  }
+
+  /// Adds a bridge with vertices in it, about as dense as those of limbs.
+  void add_with_vertices(const Bridge& gap)
+  {
+    const Skeleton_graph::Vertex a = graph_.vertices[gap.a], b = graph_.vertices[gap.b];
+    const double step = (std::max)({a.radius, b.radius, a.resolution, b.resolution});
+    const double edges = (std::max)(1.0, std::floor(gap.length / step));
+    std::size_t last = gap.a;
+    for(double k = 1; k < edges; ++k) {
+      graph_.vertices.push_back(between(a, b, k / edges));
+      graph_.edges.emplace_back(last, graph_.vertices.size() - 1);
+      last = graph_.vertices.size() - 1;
+    }
+    graph_.edges.emplace_back(last, gap.b);
+  }
+
+  /// Whether a limb may go on where nothing was seen.
+  bool may_go_on(const Curve_evidence& limb) const
+  {
+    return limb.is_open() && limb.evidence() >= options_.limb_evidence;
+  }
+
+  /// Whether the limbs of two tips are one: they are taken together, as it would bend over the gap,
+  /// and as much as is missing was seen.
+  bool are_one_limb(std::size_t v, std::size_t w) const
+  {
+    const Limb &a = limbs_[v], &b = limbs_[w];
+    const Vector3 bridge = graph_.vertices[w].position - graph_.vertices[v].position;
+    const double length = bridge.norm();
+    Curve_evidence both = a.curve;
+    both.add(b.curve);
+    return length - a.reach - b.reach < a.length() + b.length() && may_go_on(both) &&
+           a.direction.dot(bridge) > options_.aligned * length &&
+           -b.direction.dot(bridge) > options_.aligned * length;
+  }
+
+  /// Whether the limb of a tip goes on at a vertex that is none: as much as is missing was seen.
+  bool goes_on_at(std::size_t tip, std::size_t w) const
+  {
+    const Limb& limb = limbs_[tip];
     const Vector3 bridge = graph_.vertices[w].position - graph_.vertices[tip].position;
     const double length = bridge.norm();
-    const Limb &limb = limbs_[tip], &other = limbs_[w]; // that of `w` is empty if it is no tip
-    return length - limb.reach - other.reach < limb.length() + other.length() &&
-           limb.curve.is_open() && limb.curve.evidence() >= options_.limb_evidence &&
+    return length - limb.reach < limb.length() && may_go_on(limb.curve) &&
            limb.direction.dot(bridge) > options_.aligned * length;
   }
 
@@ -124,8 +176,8 @@ private:
 
   const Curve_options& options_;
   Skeleton_graph& graph_;
-  std::vector<std::vector<std::size_t>> adjacency_; ///< Without the bridges.
-  std::vector<Limb> limbs_; ///< Of each tip; of other vertices empty.
+  std::vector<std::vector<std::size_t>> adjacency_; ///< With the bridges between tips, once added.
+  std::vector<Limb> limbs_; ///< Of each tip, as seen; of other vertices empty.
 };
 
 /// Part 3d: adds edges over gaps, from a tip to a vertex that it points at, or to a tip that points

@@ -79,10 +79,11 @@ public:
     const std::vector<std::size_t> vertex_of_sample = vertices_of_samples();
     const std::vector<std::vector<Vector3>> surface = points_of_vertices(vertex_of_sample);
     bridge_gaps(graph_, surface, options_);
-    const std::vector<double> points = numbers_of_points(vertex_of_sample);
+    std::vector<double> points = numbers_of_points(vertex_of_sample);
     join_fragments(graph_, points, options_);
     if(is_frame)
       continue_limbs(graph_, surface, options_);
+    points.resize(graph_.vertices.size(), 0); // there are none in bridges
     drop(stray_vertices(graph_, points, options_.stray_share), vertex_of_sample);
     if(single_component)
       join_all(graph_);
