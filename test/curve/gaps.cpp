@@ -108,9 +108,16 @@ std::size_t joined(double length, double gap, double other, double seen)
   std::vector<std::vector<Vector3>> points = nothing(graph);
   points[tip].assign(3, Vector3(seen, 0, 0));
   points[tip + 1].assign(3, Vector3(gap - seen, 0, 0));
-  const std::size_t before = graph.edges.size();
+  const auto number_of_components = [&] {
+    Union_find sets = components_of(graph);
+    std::set<std::size_t> result;
+    for(std::size_t v = 0; v < graph.vertices.size(); ++v)
+      result.insert(sets.find(v));
+    return result.size();
+  };
+  const std::size_t before = number_of_components();
   continue_limbs(graph, points, Curve_options());
-  return graph.edges.size() - before;
+  return before - number_of_components();
 }
 
 } // namespace
@@ -202,6 +209,38 @@ TEST_CASE("Tips that were seen from all sides, or limbs without evidence, end wh
 {
   CHECK(loops_of_continued(arc(30, 0, 1)) == 0);
   CHECK(loops_of_continued(arc(30, 1, 0.2)) == 0);
+}
+
+TEST_CASE("Two limbs over a gap are judged as one: together they have evidence or have not")
+{
+  for(const double evidence : {0.4, 0.1}) {
+    CAPTURE(evidence);
+    Skeleton_graph graph;
+    add_line(graph, Vector3(-0.4, 0, 0), Vector3(0, 0, 0), 1);
+    const std::size_t other = graph.vertices.size();
+    add_line(graph, Vector3(0.2, 0, 0), Vector3(0.6, 0, 0), 1);
+    for(std::size_t v = 0; v < other; ++v)
+      graph.vertices[v].evidence = evidence; // the other has 1
+    continue_limbs(graph, nothing(graph), Curve_options());
+    CHECK(Measured_components(graph, std::vector<double>(graph.vertices.size(), 1))
+            .are_connected(0, other) == (evidence + 1 > 2 * Curve_options().limb_evidence));
+  }
+}
+
+TEST_CASE("A limb ends within the gap of another")
+{
+  Skeleton_graph graph;
+  add_line(graph, Vector3(-1, 0, 0), Vector3(0, 0, 0), 1);
+  add_line(graph, Vector3(0.4, 0, 0), Vector3(1.4, 0, 0), 1);
+  const std::size_t third = graph.vertices.size();
+  add_line(graph, Vector3(0.2, 0.05, 0), Vector3(0.2, 1, 0), 1);
+  continue_limbs(graph, nothing(graph), Curve_options());
+  const auto adjacency = graph.adjacency();
+  REQUIRE(adjacency[third].size() == 2);
+  const Vector3 end = graph.vertices[adjacency[third][1]].position;
+  CHECK(end.y() == Approx(0).margin(1e-12));
+  CHECK(std::abs(end.x() - 0.2) < 0.04); // 37 degrees
+  CHECK(adjacency[adjacency[third][1]].size() == 3);
 }
 
 TEST_CASE("A limb goes on to the limb that it points at, not to one beside it")

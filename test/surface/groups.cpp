@@ -105,6 +105,32 @@ TEST_CASE("A plane is merged into few patches, and the more so the larger it is"
   }
 }
 
+TEST_CASE("A straight line is divided into pieces that are about as long as wide")
+{
+  for(unsigned int seed : seeds)
+    for(const double width : {0.02, 0.04}) {
+      CAPTURE(seed, width);
+      const Gaussians strip = components_on(
+        [&](Random& random) {
+          const double x = random.uniform(), y = width * random.uniform();
+          return Vector3(x, y + 0.2 * x, 0.3 * x);
+        },
+        20000, seed);
+      const Patch_groups groups = flat_groups(strip, cell, flatness);
+      std::vector<double> least(groups.size(), 1), most(groups.size(), 0);
+      for(std::size_t i = 0; i < strip.size(); ++i) {
+        const std::size_t group = groups.group_of()[i];
+        least[group] = (std::min)(least[group], strip[i].mean.x());
+        most[group] = (std::max)(most[group], strip[i].mean.x());
+      }
+      double longest = 0;
+      for(std::size_t group = 0; group < groups.size(); ++group)
+        longest = (std::max)(longest, most[group] - least[group]);
+      CHECK(longest < 4 * width); // widths of cells are powers of two
+      CHECK(groups.size() < strip.size());
+    }
+}
+
 TEST_CASE("Patches of a sphere are as wide as it is round, however fine its components are")
 {
   for(unsigned int seed : seeds) {

@@ -52,6 +52,9 @@ inline std::uint64_t morton_code(const Octree_place& place)
 /// neighbour of the parent has divided children: so adjacent patches differ in width by a factor of
 /// two at most. A round limb then has about the same number of patches around it however thick it
 /// is, and the number of patches is that of the details of the shape, not of its points.
+///
+/// A piece of a line is no patch, however straight: lines and narrow strips, such as wires, twigs
+/// and what a scanner sees of them, are divided into pieces that are about as long as wide.
 class Flat_merging
 {
 public:
@@ -158,7 +161,8 @@ private:
     parallel_for(concurrency_, parents.size(), [&](std::size_t i) {
       Cell& parent = parents[i];
       parent.is_whole = parent.is_complete && is_flat(parent, level) &&
-                        (incomplete.size() == 0 || !touches_any(incomplete, parent.place));
+                        (incomplete.size() == 0 || !touches_any(incomplete, parent.place)) &&
+                        !is_line(parent, parents, level);
     });
     return parents;
   }
@@ -171,15 +175,52 @@ private:
     return principal_axes(covariance).variances[0] < flatness_ * size * size / 12;
   }
 
-  /// Whether one of the 26 neighbours of a cell is in a table.
-  static bool touches_any(const Cell_map<char>& codes, const Octree_place& place)
+  /// Whether some points are nearly twice as long as wide, and not by chance.
+  static bool is_narrow(const Moments& moments)
+  {
+    constexpr double narrow = 0.3; // ratio of variances
+    const Gaussian points = moments.gaussian(Vector3::Zero());
+    const Vector3 variances = principal_axes(points.covariance).variances;
+    return variances[1] < (narrow - anisotropy_by_chance(points.weight)) * variances[2];
+  }
+
+  /// Whether a cell is a piece of a line: it is narrow, and so it is with its 26 neighbours. A cell
+  /// that is narrow alone may hold the rim of a surface. O(log n).
+  bool is_line(const Cell& cell, const std::vector<Cell>& cells, int level) const
+  {
+    if(!is_narrow(cell.moments))
+      return false;
+    Moments moments;
+    visit_block(cell.place, [&](const Octree_place& place) {
+      const std::uint64_t code = morton_code(place);
+      const auto found = std::lower_bound(
+        cells.begin(), cells.end(), code,
+        [](const Cell& other, std::uint64_t sought) { return other.code < sought; });
+      if(found != cells.end() && found->code == code)
+        moments.add(found->moments, center(place, level) - center(cell.place, level));
+      return false;
+    });
+    return is_narrow(moments);
+  }
+
+  /// Calls `visit(place)` for a cell and its 26 neighbours until it returns true; returns whether
+  /// it did.
+  template <typename Visit>
+  static bool visit_block(const Octree_place& place, const Visit& visit)
   {
     for(std::uint32_t x = place[0] - 1; x != place[0] + 2; ++x)
       for(std::uint32_t y = place[1] - 1; y != place[1] + 2; ++y)
         for(std::uint32_t z = place[2] - 1; z != place[2] + 2; ++z)
-          if(codes.find(morton_code({{x, y, z}})))
+          if(visit(Octree_place{{x, y, z}}))
             return true;
     return false;
+  }
+
+  /// Whether one of the 26 neighbours of a cell is in a table.
+  static bool touches_any(const Cell_map<char>& codes, const Octree_place& place)
+  {
+    return visit_block(
+      place, [&](const Octree_place& other) { return codes.find(morton_code(other)) != nullptr; });
   }
 
   /// The components of the largest cells that are whole.
