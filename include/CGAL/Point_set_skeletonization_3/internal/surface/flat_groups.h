@@ -162,7 +162,7 @@ private:
       Cell& parent = parents[i];
       parent.is_whole = parent.is_complete && is_flat(parent, level) &&
                         (incomplete.size() == 0 || !touches_any(incomplete, parent.place)) &&
-                        !is_line(parent, parents, level);
+                        !is_line(parent, parents);
     });
     return parents;
   }
@@ -184,23 +184,24 @@ private:
     return variances[1] < (narrow - anisotropy_by_chance(points.weight)) * variances[2];
   }
 
-  /// Whether a cell is a piece of a line: it is narrow, and so it is with its 26 neighbours. A cell
-  /// that is narrow alone may hold the rim of a surface. O(log n).
-  bool is_line(const Cell& cell, const std::vector<Cell>& cells, int level) const
+  /// Whether a cell is a piece of a line: it is narrow, and so is the one with most points among it
+  /// and its 26 neighbours. A cell that is narrow alone may hold the rim of a surface. O(log n).
+  static bool is_line(const Cell& cell, const std::vector<Cell>& cells)
   {
     if(!is_narrow(cell.moments))
       return false;
-    Moments moments;
+    const Cell* largest = &cell;
     visit_block(cell.place, [&](const Octree_place& place) {
       const std::uint64_t code = morton_code(place);
       const auto found = std::lower_bound(
         cells.begin(), cells.end(), code,
         [](const Cell& other, std::uint64_t sought) { return other.code < sought; });
-      if(found != cells.end() && found->code == code)
-        moments.add(found->moments, center(place, level) - center(cell.place, level));
+      if(found != cells.end() && found->code == code &&
+         found->moments.weight() > largest->moments.weight())
+        largest = &*found;
       return false;
     });
-    return is_narrow(moments);
+    return largest == &cell || is_narrow(largest->moments);
   }
 
   /// Calls `visit(place)` for a cell and its 26 neighbours until it returns true; returns whether
