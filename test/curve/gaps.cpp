@@ -87,14 +87,19 @@ std::vector<std::vector<Vector3>> nothing(const Skeleton_graph& graph)
   return std::vector<std::vector<Vector3>>(graph.vertices.size());
 }
 
+std::size_t number_of_components(const Skeleton_graph& graph)
+{
+  Union_find sets = components_of(graph);
+  std::set<std::size_t> result;
+  for(std::size_t v = 0; v < graph.vertices.size(); ++v)
+    result.insert(sets.find(v));
+  return result.size();
+}
+
 std::size_t loops_of_continued(Skeleton_graph graph)
 {
   continue_limbs(graph, nothing(graph), Curve_options());
-  Union_find sets = components_of(graph);
-  std::set<std::size_t> components;
-  for(std::size_t v = 0; v < graph.vertices.size(); ++v)
-    components.insert(sets.find(v));
-  return graph.edges.size() + components.size() - graph.vertices.size();
+  return graph.edges.size() + number_of_components(graph) - graph.vertices.size();
 }
 
 /// Number of limbs joined of two that point at each other, from x = -`length` to 0 and, as long as
@@ -108,16 +113,9 @@ std::size_t joined(double length, double gap, double other, double seen)
   std::vector<std::vector<Vector3>> points = nothing(graph);
   points[tip].assign(3, Vector3(seen, 0, 0));
   points[tip + 1].assign(3, Vector3(gap - seen, 0, 0));
-  const auto number_of_components = [&] {
-    Union_find sets = components_of(graph);
-    std::set<std::size_t> result;
-    for(std::size_t v = 0; v < graph.vertices.size(); ++v)
-      result.insert(sets.find(v));
-    return result.size();
-  };
-  const std::size_t before = number_of_components();
+  const std::size_t before = number_of_components(graph);
   continue_limbs(graph, points, Curve_options());
-  return before - number_of_components();
+  return before - number_of_components(graph);
 }
 
 } // namespace
