@@ -116,15 +116,17 @@ private:
     });
   }
 
-  /// Adds a bridge with vertices in it, about as dense as those of limbs.
+  /// Adds a bridge between two tips with vertices in it, as dense as those of their limbs.
   void add_with_vertices(const Bridge& gap)
   {
-    const Skeleton_graph::Vertex a = graph_.vertices[gap.a], b = graph_.vertices[gap.b];
-    const double step = (std::max)({a.radius, b.radius, a.resolution, b.resolution});
-    const double edges = (std::max)(1.0, std::floor(gap.length / step));
+    const Limb &a = limbs_[gap.a], &b = limbs_[gap.b];
+    const auto in_limbs = static_cast<double>(a.branch.size() + b.branch.size() - 2);
+    // Finite: what is missing between the tips is shorter than the limbs.
+    const double edges = std::ceil(in_limbs * gap.length / (a.length() + b.length()));
     std::size_t last = gap.a;
     for(double k = 1; k < edges; ++k) {
-      graph_.vertices.push_back(between(a, b, k / edges));
+      graph_.vertices.push_back(
+        between(graph_.vertices[gap.a], graph_.vertices[gap.b], k / edges));
       graph_.edges.emplace_back(last, graph_.vertices.size() - 1);
       last = graph_.vertices.size() - 1;
     }
@@ -137,8 +139,8 @@ private:
     return limb.is_open() && limb.evidence() >= options_.limb_evidence;
   }
 
-  /// Whether the limbs of two tips are one: they are taken together, as it would bend over the gap,
-  /// and as much as is missing was seen.
+  /// Whether the limbs of two tips are one: both tips point over the gap, and taken together the
+  /// limbs may go on, and as much as is missing was seen.
   bool are_one_limb(std::size_t v, std::size_t w) const
   {
     const Limb &a = limbs_[v], &b = limbs_[w];
@@ -181,10 +183,11 @@ private:
 };
 
 /// Part 3d: adds edges over gaps, from a tip to a vertex that it points at, or to a tip that points
-/// back. A limb needs evidence, must not have been seen from all sides (a tip that was ends there),
-/// and what ends at a gap must be longer than the gap between its surface points: as much as is
-/// missing was seen. Closes cycles. `surface[v]` are the surface points of vertex v. O(n log n),
-/// times the vertices within twice the length of a limb.
+/// back: then with vertices in the gap, where other limbs may end. A limb needs evidence, must not
+/// have been seen from all sides (a tip that was ends there), and what ends at a gap must be longer
+/// than the gap between its surface points: as much as is missing was seen. What holds for a limb
+/// holds for two that face each other, taken together. Closes cycles. `surface[v]` are the surface
+/// points of vertex v. O(n log n), times the vertices within twice the length of a limb.
 inline void continue_limbs(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
                            const Curve_options& options)
 {
