@@ -15,6 +15,7 @@
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/IO/Gaussian_mixture_builder_3.h>
+#include <CGAL/Point_set_skeletonization_3/internal/io/Output_file.h>
 #include <CGAL/Real_timer.h>
 
 #include <cstddef>
@@ -90,7 +91,7 @@ void run(const Options& options)
     reading.points = input.points.size();
     if(options.skip_invalid)
       reading.skipped = input.number_of_skipped;
-    Result result = run(input.points, options);
+    Result result = skeletonize(input.points, options);
     write_outputs(with_branches(result.skeleton, input.points, reading.points, options), options);
     outputs.commit();
     const Graph_counts counts = count_graph(result.skeleton);

@@ -5,17 +5,20 @@
 // `skeletonize_point_set_mpi --help` tells the options.
 
 #include "End_on_signals.h"
-#include "Mpi_options.h"
+#include "Options.h"
 #include "Progress_bar.h"
 #include "Ranks.h"
+#include "outputs.h"
 #include "peak_memory.h"
 #include "skeletonize_cloud.h"
 #include "succeeds.h"
 #include "tiles.h"
+#include "write_segmented_cloud.h"
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Bulk_bbox_3.h>
 #include <CGAL/Point_assignment_3.h>
+#include <CGAL/Point_set_skeletonization_3/internal/io/Output_file.h>
 #include <CGAL/Real_timer.h>
 
 #include <boost/mpi/collectives.hpp>

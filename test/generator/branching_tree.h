@@ -5,41 +5,14 @@
 #define POINT_SET_SKELETONIZATION_3_TEST_GENERATOR_BRANCHING_TREE_H
 
 #include "Known_shape.h"
-#include "Random.h"
-#include "drawing.h"
-
-#include <cstddef>
 
 namespace shapes {
-namespace internal {
-
-/// Two limbs that leave `fork` to both sides, and at their ends all that follow. The directions are
-/// those of the coordinate axes in turns.
-inline void add_fork(Known_shape& shape, const Bead& fork, double length, int level, int levels)
-{
-  constexpr double shrinking = 0.75; // below 0.79, limbs three levels apart do not meet
-  for(const double side : {-1.0, 1.0}) {
-    const Vector end = fork.centre + side * length * Vector::Unit(level % 3);
-    add_limb(shape, {fork, {end, fork.radius}});
-    if(level + 1 < levels)
-      add_fork(shape, {end, shrinking * fork.radius}, shrinking * length, level + 1, levels);
-  }
-}
-
-} // namespace internal
 
 /// A tree that shows how fine the details are that a skeleton still has: a limb has a fork at each
 /// end, `levels` times; from level to level limbs are shorter and thinner by a quarter. There is no
 /// root: both ends of the first limb are forks, so that there are 2^`levels` ends and two junctions
 /// less. The seed turns the tree. Limbs that do not meet are far apart. \pre `levels` > 0
-inline Known_shape branching_tree(int levels, unsigned seed)
-{
-  constexpr double length = 1, radius = 0.076; // of half of the first limb
-  Known_shape shape;
-  internal::add_fork(shape, {Vector::Zero(), radius}, length, 0, levels);
-  set_counts(shape, 1, 0, std::size_t(1) << levels);
-  return finished(shape, Random(seed).rotation(), "branching_tree", seed);
-}
+Known_shape branching_tree(int levels, unsigned seed);
 
 } // namespace shapes
 

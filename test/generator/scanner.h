@@ -4,13 +4,8 @@
 #ifndef POINT_SET_SKELETONIZATION_3_TEST_GENERATOR_SCANNER_H
 #define POINT_SET_SKELETONIZATION_3_TEST_GENERATOR_SCANNER_H
 
-#include "Depth_image.h"
 #include "Known_shape.h"
-#include "Random.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -33,143 +28,8 @@ struct Scan
   double spacing = 0;         ///< of neighbouring pulses, in the middle of the shape
 };
 
-namespace internal {
-
-/// Of the scanner from the middle, in diagonals; so that all of the shape is in front of it.
-constexpr double distance_of_places = 1.5;
-
-/// Evenly around the upright axis, from the height of the shape's feet to well above its head; the
-/// sixth looks down on it.
-inline std::vector<Vector> scanner_places(const Eigen::AlignedBox3d& box, int number,
-                                          Random& random)
-{
-  const double distance = distance_of_places * box.diagonal().norm();
-  const double phase = random.uniform();
-  std::vector<Vector> places;
-  for(int i = 0; i < number; ++i) {
-    const double turns = phase + (i + random.uniform(-0.1, 0.1)) / number;
-    const double rise = i == 5 ? random.uniform(1.3, 1.5) : random.uniform(-0.1, 0.6);
-    const Vector level(std::cos(full_turn * turns), std::sin(full_turn * turns), 0);
-    places.push_back(box.center() +
-                     distance * (std::cos(rise) * level + std::sin(rise) * Vector::UnitZ()));
-  }
-  return places;
-}
-
-/// The image of a shape by rays of which four make a pulse: a pulse is as wide as it is far from
-/// the next one, and a wire that is thinner returns it nevertheless.
-inline Depth_image image_of(const Known_shape& shape, const Vector& place, double pulse_step)
-{
-  Depth_image image(place, bounding_box(shape), pulse_step / 2);
-  for(const Solid::Primitive& primitive : shape.solid.primitives())
-    std::visit([&](const auto& x) { image.draw(x); }, primitive);
-  for(const Triangle& triangle : shape.sheets)
-    image.draw(triangle);
-  return image;
-}
-
-/// What the four rays of a pulse meet, nearest first.
-using Echoes = std::array<double, 4>;
-
-/// Calls `visit` with the middle of every pulse on the image that returns, and its echoes.
-template <typename Visit>
-void for_returns(const Depth_image& image, const Visit& visit)
-{
-  const auto even = [](int x) { return x - (x & 1); };
-  for(int y = even(image.begin().y()); y < image.end().y(); y += 2)
-    for(int x = even(image.begin().x()); x < image.end().x(); x += 2) {
-      Echoes echoes = {image.distance({x, y}), image.distance({x + 1, y}),
-                       image.distance({x, y + 1}), image.distance({x + 1, y + 1})};
-      std::sort(echoes.begin(), echoes.end());
-      if(echoes.front() < no_hit)
-        visit(Eigen::Array2d(x + 1, y + 1), echoes);
-    }
-}
-
-/// Of the echoes up to a distance.
-inline double mean_echo(const Echoes& echoes, double farthest)
-{
-  double sum = 0;
-  int number = 0;
-  for(const double echo : echoes)
-    if(echo <= farthest && echo < no_hit) {
-      sum += echo;
-      ++number;
-    }
-  return sum / number;
-}
-
-/// The angle between pulses for which about as many return as there shall be points: from few
-/// pulses, which are quick, to more.
-inline double step_for(const Known_shape& shape, const std::vector<Vector>& places,
-                       std::size_t points)
-{
-  double step = 0.01;
-  for(const double share : {0.06, 0.25, 0.7, 1.0}) {
-    double returns = 0;
-    for(const Vector& place : places)
-      for_returns(image_of(shape, place, step),
-                  [&](const Eigen::Array2d&, const Echoes&) { ++returns; });
-    step *= std::sqrt(returns / (share * static_cast<double>(points)));
-  }
-  return step;
-}
-
-/// Loses pulses in runs, as where a surface is dark or wet.
-class Drop_outs
-{
-public:
-  explicit Drop_outs(double share)
-      : share_(share)
-  {}
-
-  bool next(Random& random)
-  {
-    constexpr double mean_run = 5; // pulses
-    const double change = is_lost_ ? 1 / mean_run : share_ / (1 - share_) / mean_run;
-    is_lost_ = is_lost_ != (random.uniform() < change);
-    return is_lost_;
-  }
-
-private:
-  double share_;
-  bool is_lost_ = false;
-};
-
-/// Adds the points of a place.
-inline void add_returns(const Depth_image& image, double diagonal, double spacing,
-                        const Scan_options& options, Random& random, std::vector<Vector>& points)
-{
-  // Echoes that are further apart come from different surfaces: no surface is that steep.
-  const double gap = 4 * spacing;
-  Drop_outs drop_outs(options.lost);
-  for_returns(image, [&](const Eigen::Array2d& at, const Echoes& echoes) {
-    const double mixed = random.uniform(), noise = random.normal();
-    if(drop_outs.next(random))
-      return;
-    const double farthest = mixed < options.mixed ? no_hit : echoes.front() + gap;
-    const double distance = mean_echo(echoes, farthest);
-    points.push_back(image.ray(at).at(distance + options.range_noise * diagonal * noise));
-  });
-}
-
-} // namespace internal
-
 /// A scan of a shape that stands upright along z. The same arguments give the same cloud.
-inline Scan scan(const Known_shape& shape, const Scan_options& options, unsigned seed)
-{
-  Random random(seed);
-  const Eigen::AlignedBox3d box = bounding_box(shape);
-  const double diagonal = box.diagonal().norm();
-  Scan scan;
-  scan.places = internal::scanner_places(box, options.places, random);
-  const double step = internal::step_for(shape, scan.places, options.points);
-  scan.spacing = step * internal::distance_of_places * diagonal;
-  for(const Vector& place : scan.places)
-    internal::add_returns(internal::image_of(shape, place, step), diagonal, scan.spacing, options,
-                          random, scan.points);
-  return scan;
-}
+Scan scan(const Known_shape& shape, const Scan_options& options, unsigned seed);
 
 } // namespace shapes
 
