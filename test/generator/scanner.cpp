@@ -4,6 +4,7 @@
 #include "scanner.h"
 
 #include "Depth_image.h"
+#include "Drop_outs.h"
 #include "Random.h"
 
 #include <algorithm>
@@ -93,27 +94,6 @@ double step_for(const Known_shape& shape, const std::vector<Vector>& places,
   }
   return step;
 }
-
-/// Loses pulses in runs, as where a surface is dark or wet.
-class Drop_outs
-{
-public:
-  explicit Drop_outs(double share)
-      : share_(share)
-  {}
-
-  bool next(Random& random)
-  {
-    constexpr double mean_run = 5; // pulses
-    const double change = is_lost_ ? 1 / mean_run : share_ / (1 - share_) / mean_run;
-    is_lost_ = is_lost_ != (random.uniform() < change);
-    return is_lost_;
-  }
-
-private:
-  double share_;
-  bool is_lost_ = false;
-};
 
 /// Adds the points of a place.
 void add_returns(const Depth_image& image, double diagonal, double spacing,

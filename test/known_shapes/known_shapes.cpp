@@ -5,6 +5,10 @@
 
 #include "catch2.h"
 #include "generator/Axis_graph.h"
+#include "generator/Random.h"
+#include "generator/Round_cone.h"
+#include "generator/Rounded_box.h"
+#include "generator/Solid.h"
 #include "generator/Voxels.h"
 #include "generator/branching_tree.h"
 #include "generator/check_counts.h"

@@ -4,6 +4,12 @@
 // The scanner: what it sees, and what it makes of it.
 
 #include "catch2.h"
+#include "generator/Drop_outs.h"
+#include "generator/Random.h"
+#include "generator/Ray.h"
+#include "generator/Round_cone.h"
+#include "generator/Rounded_box.h"
+#include "generator/Triangle.h"
 #include "generator/check_counts.h"
 #include "generator/scanned_families.h"
 #include "generator/scanner.h"
@@ -231,7 +237,7 @@ TEST_CASE("Pulses are lost in runs")
   constexpr double share = 0.3;
   constexpr int pulses = 100000;
   Random random(seed);
-  internal::Drop_outs drop_outs(share);
+  Drop_outs drop_outs(share);
   int lost = 0, runs = 0;
   bool before = false;
   for(int i = 0; i < pulses; ++i) {
