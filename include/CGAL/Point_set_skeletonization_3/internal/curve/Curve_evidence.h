@@ -36,6 +36,9 @@ public:
   /// The evidence for limbs, in [0, 1]; 0 without edges.
   double evidence() const { return length_ > 0 ? evidence_ / length_ : 0; }
 
+  /// The length of what was not seen from all sides.
+  double open_length() const { return open_; }
+
   /// Whether most of it was not seen from all sides, as lines, sheets and limbs scanned from one
   /// side: it may go on where nothing was seen.
   bool is_open() const { return open_ > 0.5 * length_; }

@@ -4,6 +4,8 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_LOOSE_ENDS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_LOOSE_ENDS_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_evidence.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/two_edge_connected_components.h>
 
@@ -23,15 +25,25 @@ inline std::size_t number_of_tips(const Skeleton_graph& graph)
   return result;
 }
 
-/// The length of all edges that are on no loop. O(n log n).
-inline double loose_length(const Skeleton_graph& graph)
+/// Number of independent loops. O(n).
+inline std::size_t number_of_loops(const Skeleton_graph& graph)
+{
+  Union_find sets(graph.vertices.size());
+  std::size_t result = 0;
+  for(const Skeleton_graph::Edge& e : graph.edges)
+    result += sets.join(e.first, e.second) ? 0 : 1;
+  return result;
+}
+
+/// The length of all that is on no loop and was not seen from all sides. O(n log n).
+inline double loose_open_length(const Skeleton_graph& graph)
 {
   const std::vector<std::size_t> part = two_edge_connected_components(graph);
-  double result = 0;
+  Curve_evidence loose;
   for(const Skeleton_graph::Edge& e : graph.edges)
     if(part[e.first] != part[e.second])
-      result += (graph.vertices[e.first].position - graph.vertices[e.second].position).norm();
-  return result;
+      loose.add(graph.vertices[e.first], graph.vertices[e.second]);
+  return loose.open_length();
 }
 
 } // namespace internal

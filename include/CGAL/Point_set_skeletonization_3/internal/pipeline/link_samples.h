@@ -46,15 +46,21 @@ inline Curve_fitting curve_of(const Limb_network& network, const Surface& surfac
           options.curve,        concurrency};
 }
 
-/// Whether the reading as a frame explains a shape: contacts and continuations close loops of
-/// nearly all that ends freely in the reading as a tree. If much of it is loose in both, limbs end
-/// freely as in a tree, and what touches does so by accident. O(n log n).
-inline bool is_frame(const Skeleton_graph& frame, const Skeleton_graph& tree)
+/// Whether the reading as a frame explains a shape: contacts and continuations close loops of nearly
+/// all open limbs that end freely in the reading as a tree. If many of them are loose in both, limbs end
+/// freely as in a tree, and what touches does so by accident. Limbs that were seen from all sides say
+/// nothing about the others. Where noise hides the other sides, a frame with no more loops is kept
+/// nevertheless: what tells limbs apart in a tree is how coplanar patches are, which noise spoils.
+/// O(n log n).
+/// \param noise strength of the noise removed, in [0, 1]
+inline bool is_frame(const Skeleton_graph& frame, const Skeleton_graph& tree, double noise)
 {
-  // Of the length. Wire frames with gaps leave up to 0.15, handles as thin as the noise 0.2 to 0.3,
-  // crowns in leaf 0.19 and nearly all of them more than 0.25, trees 0.4, surfaces with holes 0.8.
-  constexpr double most = 0.25;
-  return loose_length(frame) < most * loose_length(tree);
+  // Of the open length. Wire frames with gaps leave up to 0.15, handles as thin as the noise 0.04,
+  // crowns in leaf 0.23 and more, trees 0.5, plants 0.9.
+  constexpr double most = 0.18;
+  constexpr double much_noise = 0.5;
+  return (noise > much_noise && number_of_loops(frame) <= number_of_loops(tree)) ||
+         loose_open_length(frame) < most * loose_open_length(tree);
 }
 
 /// Stage 3: returns the curve skeleton of samples. O(n log n) in practice.
@@ -83,7 +89,7 @@ inline Linked_samples link_samples(const Surface& surface, const Samples& sample
     parallel_invoke(
       concurrency, [&] { frame.connect(true, single_component); },
       [&] { tree.connect(false, single_component); });
-  Curve_fitting& curve = is_frame(frame.graph(), tree.graph()) ? frame : tree;
+  Curve_fitting& curve = is_frame(frame.graph(), tree.graph(), noise) ? frame : tree;
   curve.centre();
   progress(0.95);
   Linked_samples result;
