@@ -98,6 +98,7 @@ public:
   {
     const std::size_t v = quotient.graph.vertices.size();
     quotient.graph.vertices.push_back({position, radius, 0, false});
+    quotient.members.emplace_back();
     const Vector3 e1 = axis.unitOrthogonal(), e2 = axis.normalized().cross(e1);
     for(int k = 0; k < ring; ++k) {
       const Vector3 direction = surfaces::around(2 * CGAL_PI * k / ring);
@@ -105,6 +106,7 @@ public:
       patch.mean = position + radius * (direction.x() * e1 + direction.y() * e2);
       patch.weight = 1;
       quotient.vertex_of_patch.push_back(v);
+      quotient.members[v].push_back(patches.size());
       patches.push_back(patch);
     }
     return v;
@@ -130,7 +132,8 @@ public:
     std::vector<Vector3> means;
     for(const Patch& patch : patches)
       means.push_back(patch.mean);
-    return prune(quotient, patches, means, Patch_groups(patches.size()), Curve_options());
+    return prune(quotient, patches, adjacent_pairs(patches), means, Patch_groups(patches.size()),
+                 Curve_options());
   }
 };
 

@@ -35,10 +35,17 @@ namespace internal {
 class Spur_pruning
 {
 public:
+  using Visit_ring = std::function<void(const std::vector<Vector3>& ring,
+                                        const std::vector<Vector3>& root)>;
+  using For_rings = std::function<void(std::size_t piece, const std::vector<std::size_t>& limb,
+                                       const Visit_ring& visit)>;
+
   /// `surface[v]` are the surface points of vertex v. Refers to all arguments. O(n).
+  /// \param for_rings called as `Limb_roots::for_rings()`; empty: limbs have no roots
   Spur_pruning(const Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
-               const Curve_options& options)
-    : options_(options), graph_(graph), surface_(surface), degree_(graph.vertices.size(), 0),
+               const Curve_options& options, For_rings for_rings = {})
+    : options_(options), graph_(graph), surface_(surface), for_rings_(std::move(for_rings)),
+      degree_(graph.vertices.size(), 0),
       sum_(graph.vertices.size(), 0), removed_(graph.vertices.size(), false),
       first_(graph.vertices.size() + 1, 0), to_(2 * graph.edges.size()), back_(to_.size()),
       edge_(to_.size()), end_(to_.size(), none)
@@ -264,44 +271,67 @@ private:
   }
 
   /// The largest ratio of the length beyond a cross-section of a branch to half its width; or, if
-  /// that is enough for a limb, the first one found from the tip. `end` is the way from the tip.
+  /// that is enough for a limb, the first one found from the tip. If no separator is enough, the rings
+  /// at its root may be. `end` is the way from the tip.
   double slenderness(std::size_t end) const
   {
     const std::size_t junction = from(end_[end]);
     double result = 0;
     std::vector<Vector3> beyond;
+    std::vector<std::size_t> limb;
     for(std::size_t v = from(end), w = to_[end]; v != junction && result < options_.slenderness;
         v = std::exchange(w, next(w, v))) {
       const std::vector<Vector3>& points = surface_[v];
       beyond.insert(beyond.end(), points.begin(), points.end());
-      if(!graph_.vertices[v].is_cross_section || points.empty())
-        continue;
-      const std::vector<double> around = distances(v, points);
-      const double width = *std::max_element(around.begin(), around.end());
-      // Without the furthest 5 %, at least two: outliers stick out of the surface.
-      std::vector<double> length = distances(v, beyond);
-      const std::size_t last = length.size() - 1;
-      const auto reached = length.begin() + static_cast<std::ptrdiff_t>(
-          last - (std::min)(last, (std::max<std::size_t>)(2, last / 20)));
-      std::nth_element(length.begin(), reached, length.end());
-      if(width > 0)
-        result = (std::max)(result, *reached / width);
+      limb.push_back(v);
+      if(graph_.vertices[v].is_cross_section && !points.empty())
+        result = (std::max)(result, slenderness(graph_.vertices[v].position, points, beyond));
     }
+    if(result >= options_.slenderness || !for_rings_ || graph_.vertices[junction].is_cross_section)
+      return result;
+    const std::size_t before_root = beyond.size();
+    for_rings_(junction, limb,
+               [&](const std::vector<Vector3>& ring, const std::vector<Vector3>& root) {
+                 if(static_cast<double>(ring.size()) < options_.least_points)
+                   return;
+                 beyond.resize(before_root);
+                 beyond.insert(beyond.end(), root.begin(), root.end());
+                 const Vector3 sum = std::accumulate(ring.begin(), ring.end(),
+                                                     Vector3(Vector3::Zero()));
+                 const Vector3 middle = sum / static_cast<double>(ring.size());
+                 result = (std::max)(result, slenderness(middle, ring, beyond));
+               });
     return result;
   }
 
-  /// Distances of some points from a vertex.
-  std::vector<double> distances(std::size_t v, const std::vector<Vector3>& points) const
+  /// The ratio of the length beyond a ring to half its width. The ring is one of them.
+  static double slenderness(const Vector3& middle, const std::vector<Vector3>& ring,
+                            const std::vector<Vector3>& beyond)
+  {
+    const std::vector<double> around = distances(middle, ring);
+    const double width = *std::max_element(around.begin(), around.end());
+    // Without the furthest 5 %, at least two: outliers stick out of the surface.
+    std::vector<double> length = distances(middle, beyond);
+    const std::size_t last = length.size() - 1;
+    const auto reached = length.begin() + static_cast<std::ptrdiff_t>(
+        last - (std::min)(last, (std::max<std::size_t>)(2, last / 20)));
+    std::nth_element(length.begin(), reached, length.end());
+    return width > 0 ? *reached / width : 0;
+  }
+
+  /// Distances of some points from a place.
+  static std::vector<double> distances(const Vector3& place, const std::vector<Vector3>& points)
   {
     std::vector<double> result;
     for(const Vector3& p : points)
-      result.push_back((p - graph_.vertices[v].position).norm());
+      result.push_back((p - place).norm());
     return result;
   }
 
   const Curve_options& options_;
   const Skeleton_graph& graph_;
   const std::vector<std::vector<Vector3>>& surface_;
+  For_rings for_rings_;
 
   // For each vertex.
   std::vector<std::size_t> degree_; ///< Number of neighbours left.

@@ -5,16 +5,19 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_PRUNE_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Limb_roots.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Measured_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Spur_pruning.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/stray_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_groups.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -68,20 +71,23 @@ struct Pruned_quotient
 };
 
 /// Part 3c: removes stray components, unless they may be fragments, spurs and caps. `components`
-/// are the positions of the mixture components, and `groups` those of each patch. O(n log n) in
-/// practice.
+/// are the positions of the mixture components, `groups` those of each patch, and `pairs` the adjacent
+/// patches. O(n log n) in practice.
 inline Pruned_quotient prune(const Surface_quotient& quotient, const Patches& patches,
+                             const std::vector<Patch_pair>& pairs,
                              const std::vector<Vector3>& components, const Patch_groups& groups,
                              const Curve_options& options)
 {
   const Skeleton_graph& graph = quotient.graph;
   std::vector<double> weights(graph.vertices.size(), 0); // numbers of points
-  std::vector<std::vector<Vector3>> points(graph.vertices.size());
+  std::vector<std::vector<Vector3>> points(graph.vertices.size()), points_of_patch(patches.size());
   for(std::size_t i = 0; i < patches.size(); ++i) {
     const std::size_t v = quotient.vertex_of_patch[i];
     weights[v] += patches[i].weight;
-    for(std::size_t k : groups[i])
+    for(std::size_t k : groups[i]) {
       points[v].push_back(components[k]);
+      points_of_patch[i].push_back(components[k]);
+    }
   }
   Pruned_quotient result;
   result.is_stray = stray_vertices(graph, weights, options.stray_share);
@@ -91,7 +97,14 @@ inline Pruned_quotient prune(const Surface_quotient& quotient, const Patches& pa
     if(curve.is_open() && curve.evidence() >= options.limb_evidence)
       result.is_stray[v] = false;
   }
-  std::vector<bool> removed = Spur_pruning(graph, points, options).spurs();
+  std::optional<Limb_roots> roots; // few shapes have branches that take a look at them
+  const auto for_rings = [&](std::size_t piece, const std::vector<std::size_t>& limb,
+                             const Spur_pruning::Visit_ring& visit) {
+    if(!roots)
+      roots.emplace(quotient, patches, pairs, points_of_patch);
+    roots->for_rings(piece, limb, visit);
+  };
+  std::vector<bool> removed = Spur_pruning(graph, points, options, for_rings).spurs();
   for(std::size_t v = 0; v < removed.size(); ++v)
     removed[v] = removed[v] || result.is_stray[v];
   mark_caps(graph, removed);

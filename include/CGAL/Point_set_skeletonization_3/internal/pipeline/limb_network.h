@@ -124,8 +124,8 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
   Limb_network result;
   result.quotient = with_loops_seen(with_wave_fronts(
     std::move(quotient), surface.patches, samples, overlaps.pairs(), is_scattered));
-  result.pruned = prune(result.quotient, surface.patches, surface.components, surface.groups,
-                        options.curve);
+  result.pruned = prune(result.quotient, surface.patches, overlaps.pairs(), surface.components,
+                        surface.groups, options.curve);
   return result;
 }
 

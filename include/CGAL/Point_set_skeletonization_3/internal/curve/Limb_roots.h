@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_LIMB_ROOTS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_LIMB_ROOTS_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Shortest_paths.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// The roots of limbs: a limb goes on beyond its last separator, in the piece that it sticks out of, up
+/// to where another limb begins. Separators are disjoint and few, so that a short limb may have a
+/// single one, near its tip.
+class Limb_roots
+{
+public:
+  /// Refers to all arguments. O(n).
+  /// \param points surface points of each patch
+  Limb_roots(const Surface_quotient& quotient, const Patches& patches,
+             const std::vector<Patch_pair>& pairs, const std::vector<std::vector<Vector3>>& points)
+    : quotient_(quotient), patches_(patches), points_(points), graph_(patches, pairs),
+      paths_(graph_, patches.size())
+  {}
+
+  /// Calls `visit(ring, root)` for rings around a limb in a piece, the furthest first: the points of
+  /// the ring, and those of the piece from the limb to the ring, with it. A ring near the limb begins
+  /// with the last patches of that, and so has no gap. O(n log n) for the n patches of the piece, and
+  /// linear in n for each ring.
+  /// \param limb vertices of the limb from its tip; the last one is beside the piece
+  template <typename Visit>
+  void for_rings(std::size_t piece, const std::vector<std::size_t>& limb, const Visit& visit)
+  {
+    constexpr double ring_width = 1.5; // spacings; adjacent patches are seldom further apart
+    const std::vector<std::size_t>& order = spread(piece, limb);
+    const double reach = this->reach(piece, limb, order);
+    double spacing = 0, number = 0;
+    for(std::size_t i : order)
+      if(paths_.distance(i) <= reach) {
+        spacing += patches_[i].spacing;
+        ++number;
+      }
+    const double width = number > 0 ? ring_width * spacing / number : 0;
+    for(double end = reach; width > 0 && end > 0; end -= width / 2) {
+      std::vector<Vector3> ring, root;
+      for(std::size_t i : order) {
+        const double distance = paths_.distance(i);
+        if(distance <= end)
+          root.insert(root.end(), points_[i].begin(), points_[i].end());
+        if(distance <= end && distance > end - width)
+          ring.insert(ring.end(), points_[i].begin(), points_[i].end());
+      }
+      if(end < width)
+        for(std::size_t i : quotient_.members[limb.back()])
+          ring.insert(ring.end(), points_[i].begin(), points_[i].end());
+      visit(ring, root);
+    }
+  }
+
+private:
+  bool is_in(const std::vector<std::size_t>& limb, std::size_t patch) const
+  {
+    return std::find(limb.begin(), limb.end(), quotient_.vertex_of_patch[patch]) != limb.end();
+  }
+
+  /// Finds the distances of the patches of a piece from a limb, and returns them, the nearest first.
+  const std::vector<std::size_t>& spread(std::size_t piece, const std::vector<std::size_t>& limb)
+  {
+    const auto is_in_piece = [&](std::size_t i) { return quotient_.vertex_of_patch[i] == piece; };
+    std::vector<Shortest_paths::Reached> start;
+    for(std::size_t i : quotient_.members[piece])
+      if(is_in_piece(i)) // the members of a piece without patches are those of its neighbours
+        for(const auto& edge : graph_[i])
+          if(is_in(limb, edge.patch))
+            start.emplace_back(edge.length, i);
+    return paths_.spread(start, is_in_piece);
+  }
+
+  /// The distance from the limb at which another begins, or the piece ends. \pre spread()
+  double reach(std::size_t piece, const std::vector<std::size_t>& limb,
+               const std::vector<std::size_t>& order) const
+  {
+    double result = order.empty() ? 0 : paths_.distance(order.back());
+    for(std::size_t i : order)
+      for(const auto& edge : graph_[i])
+        if(quotient_.vertex_of_patch[edge.patch] != piece && !is_in(limb, edge.patch))
+          result = (std::min)(result, paths_.distance(i) + static_cast<double>(edge.length));
+    return result;
+  }
+
+  const Surface_quotient& quotient_;
+  const Patches& patches_;
+  const std::vector<std::vector<Vector3>>& points_;
+  Patch_graph graph_;
+  Shortest_paths paths_;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_LIMB_ROOTS_H
