@@ -30,9 +30,9 @@ struct Curve_options
   /// less are opened. 0.6 and more where limbs are resolved, 0.3 to 0.5 in crowns in leaf.
   double limb_evidence = 0.5;
 
-  /// Least slenderness of a branch, >= 0: its length beyond a cross-section, or a ring around its root,
-  /// over half the width of that. 1 for a dome and the corner of a plate, 1.7 for a cone of 60 degrees, 3 and more for a
-  /// finger or toe.
+  /// Least slenderness of a branch, >= 0: its length beyond a cross-section, or a ring around its
+  /// root, over half the width of that. 1 for a dome and the corner of a plate, 1.7 for a cone of 60
+  /// degrees, 3 and more for a finger or toe.
   double slenderness = 1.25;
 
   /// Least number of surface points of a branch, a ring around a limb; fewer are outliers that

@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// The roots of limbs: a limb goes on beyond its last separator, in the piece that it sticks out of, up
-/// to where another limb begins. Separators are disjoint and few, so that a short limb may have a
+/// The roots of limbs: a limb goes on beyond its last separator, in the piece that it sticks out of,
+/// up to where another limb begins. Separators are disjoint and few, so that a short limb may have a
 /// single one, near its tip.
 class Limb_roots
 {
@@ -32,10 +32,10 @@ public:
       paths_(graph_, patches.size())
   {}
 
-  /// Calls `visit(ring, root)` for rings around a limb in a piece, the furthest first: the points of
-  /// the ring, and those of the piece from the limb to the ring, with it. A ring near the limb begins
-  /// with the last patches of that, and so has no gap. O(n log n) for the n patches of the piece, and
-  /// linear in n for each ring.
+  /// Calls `visit(ring, root)` for rings around a limb in a piece, the furthest first: the points
+  /// of the ring, and those of the piece from the limb to the ring, with it. A ring near the limb
+  /// begins with the last patches of that, and so has no gap. O(n log n) for the n patches of the
+  /// piece, and linear in n for each ring.
   /// \param limb vertices of the limb from its tip; the last one is beside the piece
   template <typename Visit>
   void for_rings(std::size_t piece, const std::vector<std::size_t>& limb, const Visit& visit)
@@ -72,7 +72,7 @@ private:
     return std::find(limb.begin(), limb.end(), quotient_.vertex_of_patch[patch]) != limb.end();
   }
 
-  /// Finds the distances of the patches of a piece from a limb, and returns them, the nearest first.
+  /// Finds the distances of the patches of a piece from a limb; returns them, the nearest first.
   const std::vector<std::size_t>& spread(std::size_t piece, const std::vector<std::size_t>& limb)
   {
     const auto is_in_piece = [&](std::size_t i) { return quotient_.vertex_of_patch[i] == piece; };

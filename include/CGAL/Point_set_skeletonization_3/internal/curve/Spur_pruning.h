@@ -271,8 +271,8 @@ private:
   }
 
   /// The largest ratio of the length beyond a cross-section of a branch to half its width; or, if
-  /// that is enough for a limb, the first one found from the tip. If no separator is enough, the rings
-  /// at its root may be. `end` is the way from the tip.
+  /// that is enough for a limb, the first one found from the tip. If no separator is enough, the
+  /// rings at its root may be. `end` is the way from the tip.
   double slenderness(std::size_t end) const
   {
     const std::size_t junction = from(end_[end]);
