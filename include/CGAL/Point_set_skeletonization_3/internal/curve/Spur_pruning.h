@@ -287,7 +287,11 @@ private:
       if(graph_.vertices[v].is_cross_section && !points.empty())
         result = (std::max)(result, slenderness(graph_.vertices[v].position, points, beyond));
     }
-    if(result >= options_.slenderness || !for_rings_ || graph_.vertices[junction].is_cross_section)
+    const bool has_root = for_rings_ && !graph_.vertices[junction].is_cross_section &&
+                          std::none_of(limb.begin(), limb.end(), [this](std::size_t v) {
+                            return is_open(graph_.vertices[v]); // there is no ring around a strip
+                          });
+    if(result >= options_.slenderness || !has_root)
       return result;
     const std::size_t before_root = beyond.size();
     for_rings_(junction, limb,
