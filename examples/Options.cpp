@@ -370,6 +370,24 @@ std::vector<Options> jobs_of(const Batch& batch, Options options)
   return jobs;
 }
 
+/// Parses the command line; returns false if it was only to show help or the version.
+/// \throw std::runtime_error with a message of one line
+bool is_parsed(CLI::App& app, int argc, char** argv)
+{
+  try {
+    app.parse(argc, argv);
+  } catch(const CLI::CallForHelp&) {
+    std::cout << app.help();
+    return false;
+  } catch(const CLI::CallForVersion&) {
+    std::cout << app.version() << '\n';
+    return false;
+  } catch(const CLI::ParseError& error) {
+    throw std::runtime_error(std::string(error.what()) + " (try --help)");
+  }
+  return true;
+}
+
 } // namespace
 
 bool is_moments_file(const std::string& filename)
@@ -428,17 +446,8 @@ Command_line parse_options(int argc, char** argv)
   add_batch_options(app, batch);
   app.add_option("--seed", options.seed, "seed of everything random [0]")->type_name("N");
   add_running_options(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch(const CLI::CallForHelp&) {
-    std::cout << app.help();
+  if(!is_parsed(app, argc, argv))
     return {};
-  } catch(const CLI::CallForVersion&) {
-    std::cout << app.version() << '\n';
-    return {};
-  } catch(const CLI::ParseError& error) {
-    throw std::runtime_error(std::string(error.what()) + " (try --help)");
-  }
   for(const auto* box : {&options.box, &accumulation.box})
     check_box("--box", *box);
   check_box("--tile-box", accumulation.tile_box);
@@ -482,17 +491,8 @@ std::optional<Mpi_options> parse_mpi_options(int argc, char** argv)
   add_topology_options(app, options);
   app.get_option("--split")->excludes(app.get_option("--segment-directory"));
   add_running_options(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch(const CLI::CallForHelp&) {
-    std::cout << app.help();
+  if(!is_parsed(app, argc, argv))
     return {};
-  } catch(const CLI::CallForVersion&) {
-    std::cout << app.version() << '\n';
-    return {};
-  } catch(const CLI::ParseError& error) {
-    throw std::runtime_error(std::string(error.what()) + " (try --help)");
-  }
   if(options.tiles.empty() && options.list.empty())
     throw std::runtime_error("give a TILE or a list of --tiles (try --help)");
   check_box("--box", options.box);

@@ -61,11 +61,11 @@ struct Tube
           patches[i].neighbors.push_back(j);
   }
 
-  std::vector<std::vector<Vector3>> points() const
+  std::vector<Vector3> means() const
   {
-    std::vector<std::vector<Vector3>> result;
+    std::vector<Vector3> result;
     for(const Patch& patch : patches)
-      result.push_back({patch.mean});
+      result.push_back(patch.mean);
     return result;
   }
 };
@@ -101,11 +101,8 @@ Tube limb_with_root(double root)
 std::size_t number_of_tips_left(double root)
 {
   const Tube tube = limb_with_root(root);
-  std::vector<Vector3> means;
-  for(const Patch& patch : tube.patches)
-    means.push_back(patch.mean);
   const Skeleton_graph pruned =
-    prune(tube.quotient, tube.patches, adjacent_pairs(tube.patches), means,
+    prune(tube.quotient, tube.patches, adjacent_pairs(tube.patches), tube.means(),
           Patch_groups(tube.patches.size()), Curve_options())
       .graph;
   std::size_t result = 0;
@@ -121,8 +118,9 @@ TEST_CASE("The root of a limb has rings up to where another limb begins")
   constexpr double root = 4;
   const Tube tube = limb_with_root(root);
   const std::vector<Patch_pair> pairs = adjacent_pairs(tube.patches);
-  const std::vector<std::vector<Vector3>> points = tube.points();
-  Limb_roots roots(tube.quotient, tube.patches, pairs, points);
+  const std::vector<Vector3> means = tube.means();
+  const Patch_groups groups(tube.patches.size());
+  Limb_roots roots(tube.quotient, tube.patches, pairs, means, groups);
   double before = root;
   std::size_t number = 0;
   roots.for_rings(2, {0, 1}, [&](const std::vector<Vector3>& ring,

@@ -8,6 +8,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_groups.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Shortest_paths.h>
 
 #include <algorithm>
@@ -25,11 +26,12 @@ class Limb_roots
 {
 public:
   /// Refers to all arguments. O(n).
-  /// \param points surface points of each patch
+  /// \param components surface points, and `groups` those of each patch
   Limb_roots(const Surface_quotient& quotient, const Patches& patches,
-             const std::vector<Patch_pair>& pairs, const std::vector<std::vector<Vector3>>& points)
-    : quotient_(quotient), patches_(patches), points_(points), graph_(patches, pairs),
-      paths_(graph_, patches.size())
+             const std::vector<Patch_pair>& pairs, const std::vector<Vector3>& components,
+             const Patch_groups& groups)
+    : quotient_(quotient), patches_(patches), components_(components), groups_(groups),
+      graph_(patches, pairs), paths_(graph_, patches.size())
   {}
 
   /// Calls `visit(ring, root)` for rings around a limb in a piece, the furthest first: the points
@@ -55,18 +57,24 @@ public:
       for(std::size_t i : order) {
         const double distance = paths_.distance(i);
         if(distance <= end)
-          root.insert(root.end(), points_[i].begin(), points_[i].end());
+          add_points(i, root);
         if(distance <= end && distance > end - width)
-          ring.insert(ring.end(), points_[i].begin(), points_[i].end());
+          add_points(i, ring);
       }
       if(end < width)
         for(std::size_t i : quotient_.members[limb.back()])
-          ring.insert(ring.end(), points_[i].begin(), points_[i].end());
+          add_points(i, ring);
       visit(ring, root);
     }
   }
 
 private:
+  void add_points(std::size_t patch, std::vector<Vector3>& points) const
+  {
+    for(std::size_t k : groups_[patch])
+      points.push_back(components_[k]);
+  }
+
   bool is_in(const std::vector<std::size_t>& limb, std::size_t patch) const
   {
     return std::find(limb.begin(), limb.end(), quotient_.vertex_of_patch[patch]) != limb.end();
@@ -99,7 +107,8 @@ private:
 
   const Surface_quotient& quotient_;
   const Patches& patches_;
-  const std::vector<std::vector<Vector3>>& points_;
+  const std::vector<Vector3>& components_;
+  const Patch_groups& groups_;
   Patch_graph graph_;
   Shortest_paths paths_;
 };

@@ -80,14 +80,12 @@ inline Pruned_quotient prune(const Surface_quotient& quotient, const Patches& pa
 {
   const Skeleton_graph& graph = quotient.graph;
   std::vector<double> weights(graph.vertices.size(), 0); // numbers of points
-  std::vector<std::vector<Vector3>> points(graph.vertices.size()), points_of_patch(patches.size());
+  std::vector<std::vector<Vector3>> points(graph.vertices.size());
   for(std::size_t i = 0; i < patches.size(); ++i) {
     const std::size_t v = quotient.vertex_of_patch[i];
     weights[v] += patches[i].weight;
-    for(std::size_t k : groups[i]) {
+    for(std::size_t k : groups[i])
       points[v].push_back(components[k]);
-      points_of_patch[i].push_back(components[k]);
-    }
   }
   Pruned_quotient result;
   result.is_stray = stray_vertices(graph, weights, options.stray_share);
@@ -101,7 +99,7 @@ inline Pruned_quotient prune(const Surface_quotient& quotient, const Patches& pa
   const auto for_rings = [&](std::size_t piece, const std::vector<std::size_t>& limb,
                              const Spur_pruning::Visit_ring& visit) {
     if(!roots)
-      roots.emplace(quotient, patches, pairs, points_of_patch);
+      roots.emplace(quotient, patches, pairs, components, groups);
     roots->for_rings(piece, limb, visit);
   };
   std::vector<bool> removed = Spur_pruning(graph, points, options, for_rings).spurs();
