@@ -24,26 +24,8 @@ namespace scans {
 
 namespace {
 
-/// What a scanner does to the points. The noise is that of a cheap scanner, 2 mm on a plant of 2 m;
-/// nearly a third of the pulses is lost on dark or wet surfaces.
-struct Variant
-{
-  std::string name;
-  double range_noise, mixed, lost;
-};
-
 const std::vector<Variant> all_variants = {
     {"clean", 0, 0, 0}, {"range_noise", 0.001, 0.5, 0}, {"drop_outs", 0, 0, 0.3}};
-
-/// A cloud to come.
-struct Job
-{
-  std::string family;
-  unsigned int seed;
-  std::size_t size;
-  int places;
-  Variant variant;
-};
 
 /// Rows of a cloud, by every method. \param row what is known about the cloud
 std::vector<Row> rows_of(Row row, const Skeleton& reference, const std::vector<Point>& points,
@@ -64,16 +46,13 @@ std::vector<Row> rows_of(Row row, const Skeleton& reference, const std::vector<P
 std::vector<Row> rows_of(const Job& job, const Quality_options& options)
 {
   const shapes::Known_shape shape = shapes::scanned_shape(job.family, job.seed);
-  const shapes::Scan_options how = {job.size, job.places, job.variant.range_noise,
-                                    job.variant.mixed, job.variant.lost};
   Row row;
   row.shape = job.family;
   row.seed = std::to_string(job.seed);
   row.variant = job.variant.name;
   row.size = std::to_string(job.size);
   row.places = std::to_string(job.places);
-  return rows_of(row, reference_of(shape), to_points(shapes::scan(shape, how, job.seed).points),
-                 options);
+  return rows_of(row, reference_of(shape), to_points(points_of(job)), options);
 }
 
 /// \param argument `CLOUD:REFERENCE.obj`
@@ -91,20 +70,6 @@ std::vector<Row> rows_of(const std::string& argument, const Quality_options& opt
   } catch(const std::exception& error) {
     return {failed_row(cloud, error)};
   }
-}
-
-std::vector<Job> chosen_jobs(const Quality_options& options)
-{
-  const auto& all = shapes::scanned_family_names();
-  const auto name_of = [](const Variant& variant) { return variant.name; };
-  std::vector<Job> jobs;
-  for(const std::string& family : chosen(options.families, all, "family"))
-    for(unsigned int i = 0; i < options.seeds; ++i)
-      for(const std::size_t size : options.sizes)
-        for(const int places : options.places)
-          for(const Variant& variant : chosen(options.variants, all_variants, name_of, "variant"))
-            jobs.push_back({family, options.first_seed + i, size, places, variant});
-  return jobs;
 }
 
 Layout layout()
@@ -137,6 +102,27 @@ Layout layout()
 }
 
 } // namespace
+
+std::vector<Job> chosen_jobs(const Quality_options& options)
+{
+  const auto& all = shapes::scanned_family_names();
+  const auto name_of = [](const Variant& variant) { return variant.name; };
+  std::vector<Job> jobs;
+  for(const std::string& family : chosen(options.families, all, "family"))
+    for(unsigned int i = 0; i < options.seeds; ++i)
+      for(const std::size_t size : options.sizes)
+        for(const int places : options.places)
+          for(const Variant& variant : chosen(options.variants, all_variants, name_of, "variant"))
+            jobs.push_back({family, options.first_seed + i, size, places, variant});
+  return jobs;
+}
+
+std::vector<shapes::Vector> points_of(const Job& job)
+{
+  const shapes::Scan_options how = {job.size, job.places, job.variant.range_noise,
+                                    job.variant.mixed, job.variant.lost};
+  return shapes::scan(shapes::scanned_shape(job.family, job.seed), how, job.seed).points;
+}
 
 void run(const Quality_options& options)
 {

@@ -6,11 +6,41 @@
 
 #include "Quality_options.h"
 
+#include "generator/Solid.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
 /// `quality scans`: clouds as scanners make them, with the skeleton that is to be found.
 namespace scans {
 
 /// Prints the table and its summary. \throw std::runtime_error
 void run(const Quality_options& options);
+
+/// What a scanner does to the points. The noise is that of a cheap scanner, 2 mm on a plant of 2 m;
+/// nearly a third of the pulses is lost on dark or wet surfaces.
+struct Variant
+{
+  std::string name;
+  double range_noise, mixed, lost;
+};
+
+/// A cloud to come.
+struct Job
+{
+  std::string family;
+  unsigned int seed;
+  std::size_t size;
+  int places; ///< of the scanner
+  Variant variant;
+};
+
+/// All that are to be scanned.
+std::vector<Job> chosen_jobs(const Quality_options& options);
+
+/// The cloud of a job.
+std::vector<shapes::Vector> points_of(const Job& job);
 
 } // namespace scans
 

@@ -6,9 +6,11 @@
 #include "graph_counts.h"
 #include "jobs.h"
 #include "methods/Method.h"
+#include "scans.h"
 
 #include "generator/clouds.h"
 #include "generator/families.h"
+#include "generator/scanned_families.h"
 
 #include <CGAL/Point_set_skeletonization_3/internal/interface/Skeletonizer.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/public_data.h>
@@ -18,6 +20,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,13 +31,15 @@ namespace {
 
 namespace internal = CGAL::Point_set_skeletonization_3::internal;
 
-/// What a skeleton is compared by: components, cycles, ends.
+/// What a skeleton is compared by: components, cycles, ends. Of a scan the ends do not count: it may
+/// not reach them.
 using Counts = std::array<std::size_t, 3>;
 
 struct Cloud
 {
   std::vector<shapes::Vector> points;
   Counts truth;
+  bool is_scan;
 };
 
 std::vector<Cloud> clouds(const Quality_options& options)
@@ -45,8 +50,15 @@ std::vector<Cloud> clouds(const Quality_options& options)
       const shapes::Known_shape shape = shapes::known_shape(family, seed);
       for(const shapes::Variant variant : shapes::all_variants())
         result.push_back({shapes::sample(shape, variant, options.points, seed),
-                          {shape.components, shape.cycles, shape.ends}});
+                          {shape.components, shape.cycles, shape.ends},
+                          false});
     }
+  Quality_options sparse = options;
+  sparse.sizes = {5000}; // where most hangs by a thread
+  for(const scans::Job& job : scans::chosen_jobs(sparse)) {
+    const shapes::Known_shape shape = shapes::scanned_shape(job.family, job.seed);
+    result.push_back({scans::points_of(job), {shape.components, shape.cycles, 0}, true});
+  }
   return result;
 }
 
@@ -68,7 +80,7 @@ Counts counts_of(const Cloud& cloud, const internal::Options& options)
   internal::set_public_skeleton(
     skeletonizer.skeleton(), 0, [](const internal::Index_lists&) {}, Kernel(), skeleton);
   const Graph_counts counts = count_graph(skeleton);
-  return {counts.components, counts.cycles, counts.ends};
+  return {counts.components, counts.cycles, cloud.is_scan ? 0 : counts.ends};
 }
 
 std::vector<Counts> counts_of(const std::vector<Cloud>& clouds, const internal::Options& options,
@@ -81,16 +93,6 @@ std::vector<Counts> counts_of(const std::vector<Cloud>& clouds, const internal::
   return result;
 }
 
-/// Number of clouds for which `is_so(i)`.
-template <typename Predicate>
-std::size_t count(std::size_t size, const Predicate& is_so)
-{
-  std::size_t result = 0;
-  for(std::size_t i = 0; i < size; ++i)
-    result += is_so(i) ? 1 : 0;
-  return result;
-}
-
 /// Names and defaults, in their order.
 std::vector<std::pair<std::string, double>> all_options()
 {
@@ -100,38 +102,76 @@ std::vector<std::pair<std::string, double>> all_options()
   return result;
 }
 
+/// The clouds that are scans, or those that are not.
+std::vector<std::size_t> indices(const std::vector<Cloud>& clouds, bool are_scans)
+{
+  std::vector<std::size_t> result;
+  for(std::size_t i = 0; i < clouds.size(); ++i)
+    if(clouds[i].is_scan == are_scans)
+      result.push_back(i);
+  return result;
+}
+
+/// A group of clouds.
+struct Group
+{
+  const char* name;
+  std::vector<std::size_t> indices;
+};
+
+/// How one option changes a group.
+struct Changes
+{
+  std::size_t exact, changed;
+};
+
+Changes changes(const std::vector<Cloud>& clouds, const std::vector<std::size_t>& group,
+                const std::vector<Counts>& before, const std::vector<Counts>& after)
+{
+  Changes result{0, 0};
+  for(std::size_t i : group) {
+    result.exact += after[i] == clouds[i].truth ? 1 : 0;
+    result.changed += after[i] != before[i] ? 1 : 0;
+  }
+  return result;
+}
+
 } // namespace
 
 void run(const Quality_options& options)
 {
-  constexpr double share = 0.2;
+  const double share = std::getenv("SHARE") ? std::atof(std::getenv("SHARE")) : 0.2;
   const std::vector<Cloud> all = clouds(options);
-  const auto exact = [&](const std::vector<Counts>& counts) {
-    return count(all.size(), [&](std::size_t i) { return counts[i] == all[i].truth; });
-  };
+  const std::array<Group, 2> groups = {
+    {{"closed", indices(all, false)}, {"scans", indices(all, true)}}};
   const std::vector<Counts> before = counts_of(all, internal::Options(), options.threads);
-  const std::size_t exact_before = exact(before);
-  std::printf("%zu clouds of seeds %u to %u, %zu points, exact with the defaults: %zu\n", all.size(),
-              options.first_seed, options.first_seed + options.seeds - 1, options.points,
-              exact_before);
-  std::printf("%-20s %8s %10s %10s %12s %12s\n", "option", "default", "exact -20%", "exact +20%",
-              "changed -20%", "changed +20%");
+  for(const Group& group : groups)
+    std::printf("%-7s %zu of %zu exact with the defaults\n", group.name,
+                changes(all, group.indices, before, before).exact, group.indices.size());
+  std::printf("%-20s %8s  %s\n%-29s", "", "", "closed: exact, changed      scans: exact, changed",
+              "option                default");
+  for(std::size_t k = 0; k < 2 * groups.size(); ++k)
+    std::printf(" %5s%% %5s%%", "-20", "+20");
+  std::printf("\n");
   const std::vector<std::pair<std::string, double>> names = all_options();
   for(std::size_t k = 0; k < names.size(); ++k) {
-    std::array<std::size_t, 2> exact_then, changed;
-    for(std::size_t side = 0; side < 2; ++side) {
+    std::array<std::vector<Counts>, 2> after; // lower, higher
+    for(std::size_t side = 0; side < after.size(); ++side) {
       internal::Options moved;
       std::size_t index = 0;
       moved.visit([&](const char*, double& value) {
         if(index++ == k)
           value *= side == 0 ? 1 - share : 1 + share;
       });
-      const std::vector<Counts> counts = counts_of(all, moved, options.threads);
-      exact_then[side] = exact(counts);
-      changed[side] = count(all.size(), [&](std::size_t i) { return counts[i] != before[i]; });
+      after[side] = counts_of(all, moved, options.threads);
     }
-    std::printf("%-20s %8.4g %10zu %10zu %12zu %12zu\n", names[k].first.c_str(), names[k].second,
-                exact_then[0], exact_then[1], changed[0], changed[1]);
+    std::printf("%-20s %8.4g", names[k].first.c_str(), names[k].second);
+    for(const Group& group : groups) {
+      const Changes low = changes(all, group.indices, before, after[0]),
+                    high = changes(all, group.indices, before, after[1]);
+      std::printf(" %6zu %6zu %6zu %6zu", low.exact, high.exact, low.changed, high.changed);
+    }
+    std::printf("\n");
     std::fflush(stdout);
   }
 }

@@ -45,8 +45,9 @@ Skeleton_graph polygon(std::size_t size, double evidence)
 /// Opens loops with less mean evidence than this.
 Skeleton_graph opened_below(const Skeleton_graph& graph, double least)
 {
-  return with_loops_opened(
-    graph, [=](const Curve_evidence& loop) { return loop.evidence() >= least; });
+  return with_loops_opened(graph, [&](const Loop& loop) {
+    return evidence_along(loop, graph).evidence() >= least;
+  });
 }
 
 bool has_edge(const Skeleton_graph& graph, std::size_t v, std::size_t w)
@@ -81,8 +82,11 @@ double evidence_near(const Vector3& place, double reach, const Patches& patches,
     if((patches[i].mean - place).norm() < reach)
       members.push_back(i);
   REQUIRE(members.size() > 2);
-  return Limb_evidence(surface, samples, kind_of_strip)(
-    middle(members, patches, samples), members);
+  const Skeleton_graph::Vertex vertex = middle(members, patches, samples);
+  CHECK(vertex.half_width < reach);
+  if(depth > 0) // a tube
+    CHECK(vertex.half_width > 0.7 * depth);
+  return Limb_evidence(surface, samples, kind_of_strip)(vertex, members);
 }
 
 } // namespace
@@ -120,6 +124,21 @@ TEST_CASE("There is evidence for a tube, a line and a strip, not for scattered p
   CHECK(evidence_near(origin, 0.15, scattered, radius) < most);
 }
 
+TEST_CASE("A loop is named in its order, from whichever vertex")
+{
+  Skeleton_graph graph = polygon(7, 1);
+  graph.vertices[3].evidence = 0.5; // where the forest has its gap
+  graph.vertices.resize(9);
+  graph.edges.emplace_back(2, 7); // a limb
+  graph.edges.emplace_back(7, 8);
+  const Weakest_loops loops(graph);
+  REQUIRE(loops.closing_edges().size() == 1);
+  const Loop loop = loops.loop(loops.closing_edges().front());
+  CHECK(loop.size() == 7);
+  visit_edges(loop, [&](std::size_t v, std::size_t w) { CHECK(has_edge(graph, v, w)); });
+  CHECK(evidence_along(loop, graph).length() == Approx(14 * std::sin(CGAL_PI / 7)));
+}
+
 TEST_CASE("A loop is opened where its evidence is least")
 {
   Skeleton_graph graph = polygon(10, 0.4);
@@ -135,6 +154,35 @@ TEST_CASE("A loop with enough evidence stays, though one place has none; a tree 
   graph.vertices[6].evidence = 0;
   CHECK(opened_below(graph, 0.5).edges.size() == 10);
   CHECK(opened_below(graph, infinity).edges.size() == 9);
+}
+
+TEST_CASE("A loop has room for a hole if it is wider than its limbs, in any unit")
+{
+  constexpr std::size_t size = 40;
+  const double unit = GENERATE(1e-3, 1.0, 1e3);
+  CAPTURE(unit);
+  // Limbs along a closed curve, for each number from 0 to 1 the place at that share of it.
+  const auto has_room = [&](double half_width, const auto& place) {
+    Skeleton_graph graph = polygon(size, 1);
+    Loop loop;
+    for(std::size_t v = 0; v < size; ++v) {
+      graph.vertices[v].position =
+        unit * place(2 * CGAL_PI * static_cast<double>(v) / static_cast<double>(size));
+      graph.vertices[v].is_cross_section = v % 2 == 0;
+      graph.vertices[v].half_width = v % 2 == 0 ? unit * half_width : 100 * unit; // of a body
+      loop.push_back(v);
+    }
+    return has_room_for_hole(loop, graph);
+  };
+  const auto circle = [](double t) { return Vector3(std::cos(t), std::sin(t), 0); };
+  CHECK(has_room(0.9, circle));
+  CHECK_FALSE(has_room(1.1, circle));
+  const auto slot = [](double t) { return Vector3(10 * std::cos(t), std::sin(t), 0); };
+  CHECK(has_room(0.9, slot));
+  const auto eight = [](double t) { return Vector3(std::cos(t), std::sin(2 * t), 0.2 * std::sin(t)); };
+  CHECK(has_room(0.3, eight));
+  const auto to_and_fro = [](double t) { return Vector3(std::cos(t), 0.01 * std::sin(t), 0); };
+  CHECK_FALSE(has_room(0.3, to_and_fro));
 }
 
 TEST_CASE("Of two loops with a common side each is judged alone, and all stays connected")

@@ -196,22 +196,24 @@ TEST_CASE("A frame leaves loose hardly anything that is open and loose in a tree
   const auto frame = [](std::size_t tail, double open) { return ring_with_tail(tail, open, true); };
   const auto tree = [](std::size_t tail, double open) { return ring_with_tail(tail, open, false); };
   const double noise = GENERATE(0, 0.4, 1);
-  CHECK(is_frame(frame(0, 1), tree(0, 1), noise));
-  CHECK(is_frame(frame(4, 1), tree(4, 1), noise));
-  CHECK_FALSE(is_frame(frame(5, 1), tree(5, 1), noise));
-  CHECK(is_frame(frame(100, 0), tree(100, 0), noise)); // a limb seen from all sides
+  const CGAL::Point_set_skeletonization_3::internal::Linking_options options;
+  CHECK(is_frame(frame(0, 1), tree(0, 1), noise, options));
+  CHECK(is_frame(frame(4, 1), tree(4, 1), noise, options));
+  CHECK_FALSE(is_frame(frame(5, 1), tree(5, 1), noise, options));
+  CHECK(is_frame(frame(100, 0), tree(100, 0), noise, options)); // a limb seen from all sides
 }
 
 TEST_CASE("A frame with no more loops than the tree is kept with noise")
 {
   using CGAL::Point_set_skeletonization_3::internal::is_frame;
+  const CGAL::Point_set_skeletonization_3::internal::Linking_options options;
   for(const bool is_closed : {false, true}) {
     const Skeleton_graph graph = ring_with_tail(9, 1, is_closed);
-    CHECK_FALSE(is_frame(graph, graph, 0)); // both leave the same loose
-    CHECK(is_frame(graph, graph, 1));
+    CHECK_FALSE(is_frame(graph, graph, 0, options)); // both leave the same loose
+    CHECK(is_frame(graph, graph, 1, options));
   }
-  CHECK_FALSE(is_frame(ring_with_tail(9, 1, true), ring_with_tail(9, 1, false), 1));
-  CHECK(is_frame(ring_with_tail(9, 1, false), ring_with_tail(9, 1, true), 1));
+  CHECK_FALSE(is_frame(ring_with_tail(9, 1, true), ring_with_tail(9, 1, false), 1, options));
+  CHECK(is_frame(ring_with_tail(9, 1, false), ring_with_tail(9, 1, true), 1, options));
 }
 
 TEST_CASE("A bare circle is a loop")

@@ -31,7 +31,6 @@ namespace {
 
 constexpr unsigned int seeds[] = {1, 2, 3};
 constexpr double cell = 1.0 / 128;
-constexpr double flatness = 0.025;
 const Surface_options options;
 
 // One component in each of the cells that random places on a surface fall into.
@@ -100,7 +99,7 @@ TEST_CASE("A plane is merged into few patches, and the more so the larger it is"
   for(unsigned int seed : seeds) {
     CAPTURE(seed);
     const Gaussians plane = components_on(on_plane, 100000, seed);
-    const Patch_groups groups = flat_groups(plane, cell, flatness);
+    const Patch_groups groups = flat_groups(plane, cell, options);
     CHECK(groups.size() < plane.size() / 50);
   }
 }
@@ -116,7 +115,7 @@ TEST_CASE("A straight line is divided into pieces that are about as long as wide
           return Vector3(x, y + 0.2 * x, 0.3 * x);
         },
         20000, seed);
-      const Patch_groups groups = flat_groups(strip, cell, flatness);
+      const Patch_groups groups = flat_groups(strip, cell, options);
       std::vector<double> least(groups.size(), 1), most(groups.size(), 0);
       for(std::size_t i = 0; i < strip.size(); ++i) {
         const std::size_t group = groups.group_of()[i];
@@ -136,8 +135,8 @@ TEST_CASE("Patches of a sphere are as wide as it is round, however fine its comp
   for(unsigned int seed : seeds) {
     CAPTURE(seed);
     const Gaussians small = sphere(0.1, seed), large = sphere(0.4, seed);
-    const auto of_small = flat_groups(small, cell, flatness).size();
-    const auto of_large = flat_groups(large, cell, flatness).size();
+    const auto of_small = flat_groups(small, cell, options).size();
+    const auto of_large = flat_groups(large, cell, options).size();
     const auto ratio = static_cast<double>(of_large) / static_cast<double>(of_small);
     CHECK(large.size() > 4 * small.size());
     CHECK(ratio > 0.3); // widths are powers of two: within a factor of two
@@ -156,7 +155,7 @@ TEST_CASE("Two sheets share hardly a patch if there is a cell between them")
       },
       100000, seed);
     const Patch_groups groups =
-      connected_groups(flat_groups(sheets, cell, flatness), patches_of(sheets));
+      connected_groups(flat_groups(sheets, cell, options), patches_of(sheets));
     std::size_t shared = 0;
     for(std::size_t g = 0; g < groups.size(); ++g)
       shared += std::any_of(groups[g].begin(), groups[g].end(), [&](std::size_t i) {
@@ -172,8 +171,8 @@ TEST_CASE("Groups depend on the components only, not on their order")
     CAPTURE(seed);
     const Gaussians components = sphere(0.3, seed);
     Gaussians reversed(components.rbegin(), components.rend());
-    const Patch_groups a = flat_groups(components, cell, flatness),
-                       b = flat_groups(reversed, cell, flatness);
+    const Patch_groups a = flat_groups(components, cell, options),
+                       b = flat_groups(reversed, cell, options);
     REQUIRE(a.size() == b.size());
     for(std::size_t g = 0; g < a.size(); ++g) {
       const std::size_t other = b.group_of()[components.size() - 1 - *a[g].begin()];
@@ -196,7 +195,7 @@ TEST_CASE("Adjacent patches differ in width by a factor of two at most")
       g.mean += Vector3(0.5, 0.5, 0.06);
       components.push_back(g);
     }
-    const Patch_groups groups = flat_groups(components, cell, flatness);
+    const Patch_groups groups = flat_groups(components, cell, options);
     // The octree cell of a group is at most twice as wide as its components and a cell, and at
     // least as wide as they are.
     for(std::size_t i = 0; i < components.size(); ++i)
@@ -215,8 +214,8 @@ TEST_CASE("Adjacent patches differ in width by a factor of two at most")
 TEST_CASE("Without cells, or with cells too small for an octree, nothing is merged")
 {
   const Gaussians components = sphere(0.3, 1);
-  CHECK(flat_groups(components, 0, flatness).size() == components.size());
-  CHECK(flat_groups(components, 1e-9, flatness).size() == components.size());
+  CHECK(flat_groups(components, 0, options).size() == components.size());
+  CHECK(flat_groups(components, 1e-9, options).size() == components.size());
 }
 
 TEST_CASE("Contraction keeps weight, mean, area and adjacency")
@@ -225,7 +224,7 @@ TEST_CASE("Contraction keeps weight, mean, area and adjacency")
     CAPTURE(seed);
     const Gaussians components = sphere(0.4, seed);
     const Patches fine = patches_of(components);
-    const Patch_groups groups = connected_groups(flat_groups(components, cell, flatness), fine);
+    const Patch_groups groups = connected_groups(flat_groups(components, cell, options), fine);
     REQUIRE(groups.size() < components.size() / 4);
     const Gaussians gaussians = contracted(components, groups, Concurrency::sequential);
     const Patches patches =

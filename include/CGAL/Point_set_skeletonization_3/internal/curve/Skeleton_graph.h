@@ -30,6 +30,7 @@ struct Skeleton_graph
     bool is_cross_section = false; ///< Represents a separator, not a piece in between.
     double evidence = 0; ///< For a limb there, in [0, 1], see `Limb_evidence`.
     double open = 0; ///< Share of the patches around it whose other side was not seen, in [0, 1].
+    double half_width = 0; ///< Mean distance of the patches around it.
   };
   using Edge = std::pair<std::size_t, std::size_t>;
 

@@ -18,6 +18,54 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
+/// The vertices of a loop, in their order around it, each once.
+using Loop = std::vector<std::size_t>;
+
+/// Calls `visit(v, w)` for each edge of a loop. O(length of the loop).
+template <typename Visit>
+void visit_edges(const Loop& loop, const Visit& visit)
+{
+  for(std::size_t k = 0; k < loop.size(); ++k)
+    visit(loop[k], loop[k + 1 < loop.size() ? k + 1 : 0]);
+}
+
+/// How well a loop was seen. O(length of the loop).
+inline Curve_evidence evidence_along(const Loop& loop, const Skeleton_graph& graph)
+{
+  Curve_evidence result;
+  visit_edges(loop, [&](std::size_t v, std::size_t w) {
+    result.add(graph.vertices[v], graph.vertices[w]);
+  });
+  return result;
+}
+
+/// Whether there is room for a hole in a loop: it is wider than its limbs are thick. A limb that
+/// looks like two side by side, and two that touch twice, make loops without one.
+///
+/// The radius of a circle is twice its area over its length. The same ratio is that of any loop,
+/// with the area of the triangles between its edges and its middle; it is small where a loop only
+/// runs to and fro. It is compared with the mean half width at the separators. O(length of the loop).
+inline bool has_room_for_hole(const Loop& loop, const Skeleton_graph& graph)
+{
+  Vector3 middle = Vector3::Zero();
+  double half_widths = 0, separators = 0;
+  for(std::size_t v : loop) {
+    const Skeleton_graph::Vertex& vertex = graph.vertices[v];
+    middle += vertex.position / static_cast<double>(loop.size());
+    if(vertex.is_cross_section) {
+      half_widths += vertex.half_width;
+      ++separators;
+    }
+  }
+  double area = 0, length = 0;
+  visit_edges(loop, [&](std::size_t v, std::size_t w) {
+    const Vector3 &a = graph.vertices[v].position, &b = graph.vertices[w].position;
+    area += (a - middle).cross(b - middle).norm() / 2;
+    length += (b - a).norm();
+  });
+  return 2 * area * separators >= half_widths * length;
+}
+
 /// The loops of a skeleton graph that evidence closes last: each is closed by an edge that is not
 /// in the maximum spanning forest of the evidence, and no edge of the loop has less.
 class Weakest_loops
@@ -42,19 +90,21 @@ public:
   /// The edges that close the loops, those of most evidence first.
   const std::vector<Skeleton_graph::Edge>& closing_edges() const { return closing_; }
 
-  /// How well the loop that `edge` closes was seen. O(length of the loop).
-  /// \pre it is one of `closing_edges()`
-  Curve_evidence loop(const Skeleton_graph::Edge& edge) const
+  /// The loop that `edge` closes. O(length of the loop). \pre it is one of `closing_edges()`
+  Loop loop(const Skeleton_graph::Edge& edge) const
   {
-    Curve_evidence result;
+    Loop result, back;
     auto [v, w] = edge;
-    result.add(graph_.vertices[v], graph_.vertices[w]);
-    while(v != w) {
-      if(depth_[v] < depth_[w])
-        std::swap(v, w);
-      result.add(graph_.vertices[v], graph_.vertices[parent_[v]]);
-      v = parent_[v];
-    }
+    for(; v != w; )
+      if(depth_[v] >= depth_[w]) {
+        result.push_back(v);
+        v = parent_[v];
+      } else {
+        back.push_back(w);
+        w = parent_[w];
+      }
+    result.push_back(v);
+    result.insert(result.end(), back.rbegin(), back.rend());
     return result;
   }
 
@@ -91,7 +141,7 @@ private:
 };
 
 /// Part 3c: returns the graph with loops opened where their evidence is least, unless
-/// `is_kept(loop)` for the `Curve_evidence` along them. O(n log n + loops times their length).
+/// `is_kept(loop)`. O(n log n + loops times their length).
 template <typename IsKept>
 Skeleton_graph with_loops_opened(Skeleton_graph graph, const IsKept& is_kept)
 {

@@ -4,7 +4,6 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_SURFACE_QUOTIENT_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_SURFACE_QUOTIENT_H
 
-
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/l1_median.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/minimum_spanning_forest.h>
@@ -162,8 +161,8 @@ enum class Sample_weight
               ///< is not where that is finely divided.
 };
 
-/// Returns the L1-median of some samples, their mean radius, the mean resolution of their patches,
-/// and the share that is on its patch. O(samples). \pre there is a sample
+/// Returns the L1-median of some samples, their mean radius, the mean resolution and distance of
+/// their patches, and the share that is on its patch. O(samples). \pre there is a sample
 inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
                                      const Patches& patches, const Samples& samples,
                                      Sample_weight weight = Sample_weight::one)
@@ -183,6 +182,8 @@ inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
       weight == Sample_weight::one ? 1 : static_cast<double>(patches[i].components));
   }
   result.position = l1_median(positions, weights, 0.1 * result.radius + least_spacing);
+  for(std::size_t i : members)
+    result.half_width += share * (patches[i].mean - result.position).norm();
   return result;
 }
 

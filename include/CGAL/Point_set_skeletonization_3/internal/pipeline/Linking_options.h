@@ -8,6 +8,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/pipeline/Known_topology.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Separator_options.h>
 
+#include <CGAL/assertions.h>
+
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
@@ -18,6 +20,14 @@ struct Linking_options
   Separator_options separators;
   Curve_options curve;
 
+  /// Length of all open limbs that end freely in the reading as a frame, in (0, 1), relative to that
+  /// in the reading as a tree: with less, it is a frame. Wire frames with gaps leave up to 0.15,
+  /// handles as thin as the noise 0.04, crowns in leaf 0.23 and more, trees 0.5, plants 0.9.
+  double loose_share = 0.18;
+
+  /// Strength of the noise, in (0, 1), above which it spoils how coplanar patches are.
+  double much_noise = 0.5;
+
   Known_topology known;
 
   /// Checks all ranges.
@@ -25,6 +35,18 @@ struct Linking_options
   {
     separators.check();
     curve.check();
+    CGAL_precondition(loose_share > 0 && loose_share < 1);
+    CGAL_precondition(much_noise > 0 && much_noise < 1);
+  }
+
+  /// Calls `visit(name, value)` for every option.
+  template <typename Visit>
+  void visit(const Visit& visit)
+  {
+    separators.visit(visit);
+    curve.visit(visit);
+    visit("loose_share", loose_share);
+    visit("much_noise", much_noise);
   }
 };
 

@@ -27,8 +27,7 @@ struct Options
     medial.consolidation.visit(visit);
     medial.surface.visit(visit);
     medial.samples.visit(visit);
-    linking.separators.visit(visit);
-    linking.curve.visit(visit);
+    linking.visit(visit);
   }
 };
 

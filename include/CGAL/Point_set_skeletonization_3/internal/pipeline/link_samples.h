@@ -53,14 +53,11 @@ inline Curve_fitting curve_of(const Limb_network& network, const Surface& surfac
 /// more loops is kept nevertheless: what tells limbs apart in a tree is how coplanar patches are,
 /// which noise spoils. O(n log n).
 /// \param noise strength of the noise removed, in [0, 1]
-inline bool is_frame(const Skeleton_graph& frame, const Skeleton_graph& tree, double noise)
+inline bool is_frame(const Skeleton_graph& frame, const Skeleton_graph& tree, double noise,
+                     const Linking_options& options)
 {
-  // Of the open length. Wire frames with gaps leave up to 0.15, handles as thin as the noise 0.04,
-  // crowns in leaf 0.23 and more, trees 0.5, plants 0.9.
-  constexpr double most = 0.18;
-  constexpr double much_noise = 0.5;
-  return (noise > much_noise && number_of_loops(frame) <= number_of_loops(tree)) ||
-         loose_open_length(frame) < most * loose_open_length(tree);
+  return (noise > options.much_noise && number_of_loops(frame) <= number_of_loops(tree)) ||
+         loose_open_length(frame) < options.loose_share * loose_open_length(tree);
 }
 
 /// Stage 3: returns the curve skeleton of samples. O(n log n) in practice.
@@ -89,7 +86,8 @@ inline Linked_samples link_samples(const Surface& surface, const Samples& sample
     parallel_invoke(
       concurrency, [&] { frame.connect(true, single_component); },
       [&] { tree.connect(false, single_component); });
-  Curve_fitting& curve = is_frame(frame.graph(), tree.graph(), noise) ? frame : tree;
+  Curve_fitting& curve = 
+    is_frame(frame.graph(), tree.graph(), noise, options) ? frame : tree;
   curve.centre();
   progress(0.95);
   Linked_samples result;

@@ -45,7 +45,7 @@ inline Surface surface_of(Consolidated_mixture& consolidated, const Surface_opti
 {
   const Gaussians& components = consolidated.components;
   const Patch_groups flat =
-    flat_groups(components, consolidated.cell_size, options.flatness, concurrency);
+    flat_groups(components, consolidated.cell_size, options, concurrency);
   const Patches fine = estimate_patches(components, consolidated.neighbors, options, concurrency);
   consolidated.neighbors = K_nearest_neighbors();
   return build_surface(components, consolidated.tree, fine, connected_groups(flat, fine), options,

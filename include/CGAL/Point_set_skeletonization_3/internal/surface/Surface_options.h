@@ -17,6 +17,10 @@ struct Surface_options
   /// of its width that is filled with points. A round limb then has five to nine patches around it.
   double flatness = 0.02;
 
+  /// Ratio of variances, the middle to the largest of several components, in (0, 1], below which
+  /// they are a piece of a line and no patch, however flat: nearly twice as long as wide.
+  double narrow = 0.3;
+
   /// Greatest distance of adjacent patches, in spacings of either, >= 1: beyond it there is a gap.
   /// Between two cells of a sampled surface the spacing itself varies by less.
   double adjacency_reach = 2.2;
@@ -57,6 +61,7 @@ struct Surface_options
   void check() const
   {
     CGAL_precondition(flatness > 0 && flatness < 1);
+    CGAL_precondition(narrow > 0 && narrow <= 1);
     CGAL_precondition(adjacency_reach >= 1);
     CGAL_precondition(least_width > 0 && least_width <= 1);
     CGAL_precondition(along_normal > 0 && along_normal < 1);
@@ -72,6 +77,7 @@ struct Surface_options
   void visit(const Visit& visit)
   {
     visit("flatness", flatness);
+    visit("narrow", narrow);
     visit("adjacency_reach", adjacency_reach);
     visit("least_width", least_width);
     visit("along_normal", along_normal);

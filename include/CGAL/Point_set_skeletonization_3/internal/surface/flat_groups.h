@@ -10,6 +10,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/principal_axes.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Cell_map.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_groups.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface_options.h>
 
 #include <algorithm>
 #include <array>
@@ -59,9 +60,9 @@ class Flat_merging
 {
 public:
   /// `cell_size` is the edge length of the finest cells. O(n log n).
-  Flat_merging(const Gaussians& gaussians, double cell_size, double flatness,
+  Flat_merging(const Gaussians& gaussians, double cell_size, const Surface_options& options,
                Concurrency concurrency)
-    : gaussians_(gaussians), cell_size_(cell_size), flatness_(flatness), concurrency_(concurrency),
+    : gaussians_(gaussians), cell_size_(cell_size), options_(options), concurrency_(concurrency),
       level_of_(gaussians.size(), 0)
   {
     origin_ = gaussians.front().mean;
@@ -172,21 +173,20 @@ private:
   {
     const double size = std::ldexp(cell_size_, level);
     const Matrix3 covariance = cell.moments.gaussian(Vector3::Zero()).covariance;
-    return principal_axes(covariance).variances[0] < flatness_ * size * size / 12;
+    return principal_axes(covariance).variances[0] < options_.flatness * size * size / 12;
   }
 
   /// Whether some points are nearly twice as long as wide, and not by chance.
-  static bool is_narrow(const Moments& moments)
+  bool is_narrow(const Moments& moments) const
   {
-    constexpr double narrow = 0.3; // ratio of variances
     const Gaussian points = moments.gaussian(Vector3::Zero());
     const Vector3 variances = principal_axes(points.covariance).variances;
-    return variances[1] < (narrow - anisotropy_by_chance(points.weight)) * variances[2];
+    return variances[1] < (options_.narrow - anisotropy_by_chance(points.weight)) * variances[2];
   }
 
   /// Whether a cell is a piece of a line: it is narrow, and so is the one with most points among it
   /// and its 26 neighbours. A cell that is narrow alone may hold the rim of a surface. O(log n).
-  static bool is_line(const Cell& cell, const std::vector<Cell>& cells)
+  bool is_line(const Cell& cell, const std::vector<Cell>& cells) const
   {
     if(!is_narrow(cell.moments))
       return false;
@@ -241,7 +241,7 @@ private:
 
   const Gaussians& gaussians_;
   double cell_size_;
-  double flatness_;
+  const Surface_options& options_;
   Concurrency concurrency_;
   Vector3 origin_;
   std::vector<std::pair<std::uint64_t, std::size_t>> order_; ///< Components in Morton order.
@@ -249,15 +249,15 @@ private:
 };
 
 /// Returns groups of components that are flat together, see `Flat_merging`: each one is alone if
-/// `cell_size` is 0 or too small for an octree. `flatness` is the greatest variance across a patch
-/// relative to that of a cell filled with points. O(n log n). \pre there is a component
-inline Patch_groups flat_groups(const Gaussians& gaussians, double cell_size, double flatness,
+/// `cell_size` is 0 or too small for an octree. O(n log n). \pre there is a component
+inline Patch_groups flat_groups(const Gaussians& gaussians, double cell_size,
+                                const Surface_options& options,
                                 Concurrency concurrency = Concurrency::sequential)
 {
   constexpr double least_cell_size = 1.0 / (1 << (octree_bits - 2)); // bounding box diagonals
   if(!(cell_size > least_cell_size))
     return Patch_groups(gaussians.size());
-  return Flat_merging(gaussians, cell_size, flatness, concurrency).run();
+  return Flat_merging(gaussians, cell_size, options, concurrency).run();
 }
 
 } // namespace internal
