@@ -20,7 +20,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
@@ -140,7 +139,7 @@ Changes changes(const std::vector<Cloud>& clouds, const std::vector<std::size_t>
 
 void run(const Quality_options& options)
 {
-  const double share = std::getenv("SHARE") ? std::atof(std::getenv("SHARE")) : 0.2;
+  constexpr double share = 0.2;
   const std::vector<Cloud> all = clouds(options);
   const std::array<Group, 2> groups = {
     {{"closed", indices(all, false)}, {"scans", indices(all, true)}}};

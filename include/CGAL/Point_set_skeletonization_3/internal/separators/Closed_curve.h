@@ -34,7 +34,6 @@ public:
   /// \pre `curve` is not empty; `resolution`, a length, is positive
   Closed_curve(const std::vector<Vector3>& curve, double resolution, const Surface& surface)
       : resolution_(resolution)
-      , air_(surface.options.air)
       , winding_number_(surface.winding_number)
   {
     double length = 0;
@@ -59,7 +58,7 @@ public:
   {
     const std::vector<double> values = winding_number_.at_places(
       std::vector<Vector3>(points_.begin(), points_.begin() + size_), Concurrency::sequential);
-    return *std::min_element(values.begin(), values.end()) >= air_;
+    return *std::min_element(values.begin(), values.end()) >= half_inside;
   }
 
   /// Whether the curve can be moved onto `other` inside the solid, each point straight to its
@@ -159,11 +158,11 @@ private:
       const std::array<double, 4> winding_numbers = winding_number_(means);
       bool moved = false;
       for(std::size_t k = 0; k < 4 && !moved; ++k)
-        moved = winding_numbers[k] >= air_ && move(i, means[k]);
+        moved = winding_numbers[k] >= half_inside && move(i, means[k]);
       if(moved)
         continue;
       const Vector3 beside = means[3] + resolution_ / 2 * away_from_air(points_[i]);
-      if(winding_number_(beside) >= air_)
+      if(winding_number_(beside) >= half_inside)
         move(i, beside);
     }
   }
@@ -213,15 +212,18 @@ private:
       for(std::size_t k = 0; k < 4; ++k)
         places[k] = from + (std::min)(1.0, (step + static_cast<double>(k)) / steps) * (to - from);
       const std::array<double, 4> values = winding_number_(places);
-      if(*std::min_element(values.begin(), values.end()) < air_)
+      if(*std::min_element(values.begin(), values.end()) < half_inside)
         return false;
     }
     return true;
   }
 
+  /// Winding number on the surface and in the middle of a hole of the data, which a curve must not
+  /// pass through: it is 1 inside and 0 outside.
+  static constexpr double half_inside = 0.5;
+
   std::size_t size_ = size; ///< Number of points left.
   double resolution_;
-  double air_; ///< Winding number below which a place is outside.
   const Winding_number& winding_number_;
   std::array<Vector3, size> points_;
 };

@@ -328,7 +328,7 @@ private:
       return parts[a].area / parts[b].area;
     };
     return parts.size() >= 2 && share(1, 0) >= options_.least_share &&
-           (parts.size() == 2 || share(2, 1) <= options_.junction_share);
+           (parts.size() == 2 || share(2, 1) <= options_.least_share);
   }
 
   /// The separator halfway between the first two parts: patches of one half adjacent to the other.

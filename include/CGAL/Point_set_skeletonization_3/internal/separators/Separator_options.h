@@ -16,13 +16,10 @@ struct Separator_options
   /// Greatest ratio of width to thickness of a limb that is found, > 1.
   double flattest = 9;
 
-  /// Least ratio of the second largest part of the front to the largest where it splits, in (0, 1):
-  /// limbs do not taper faster within one ball.
+  /// Least ratio of a part of the front to the next larger one, in (0, 1), for it to be on a limb of
+  /// its own: limbs do not taper faster within one ball, and less is a dent or a bump. Two parts are
+  /// on both sides of a separator; with a third one the region is at a junction, which has none.
   double least_share = 0.2;
-
-  /// Ratio of the third to the second part of the front, in (0, 1), above which the region is at a
-  /// junction, which has no separator itself; below, the third part is a dent or a bump.
-  double junction_share = 0.3;
 
   /// Radii; regions grown from samples closer than this are the same: only one is grown.
   double same_seed = 0.15;
@@ -43,7 +40,6 @@ struct Separator_options
   {
     CGAL_precondition(flattest > 1);
     CGAL_precondition(least_share > 0 && least_share < 1);
-    CGAL_precondition(junction_share > 0 && junction_share < 1);
     CGAL_precondition(same_seed > 0 && same_place > 0);
     CGAL_precondition(overlap > 0 && overlap < 1);
     CGAL_precondition(around_a_tip >= 0);
@@ -55,7 +51,6 @@ struct Separator_options
   {
     visit("flattest", flattest);
     visit("least_share", least_share);
-    visit("junction_share", junction_share);
     visit("same_seed", same_seed);
     visit("same_place", same_place);
     visit("overlap", overlap);

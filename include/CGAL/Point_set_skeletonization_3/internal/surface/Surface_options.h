@@ -39,11 +39,6 @@ struct Surface_options
   /// other.
   double opposite_normals = -0.3;
 
-  /// Resolutions, > 0. Two patches with opposite normals face each other if their heights above
-  /// each other, or depths below each other, add up to more than this: less cannot be told from a
-  /// crease. Hardly any pair is near the limit.
-  double least_gap = 0.8;
-
   /// Orientation confidence, in (0, 1), below which a normal is not used.
   double trusted_orientation = 0.3;
 
@@ -52,10 +47,6 @@ struct Surface_options
   /// are not planar. On the surface, patches below its negative are oriented inwards, patches above
   /// it outwards.
   double least_inside = 0.25;
-
-  /// Winding number, in (0, 1), below which a curve has left the shape. Higher than `least_inside`:
-  /// a curve must not pass through the air beside a hole of the data.
-  double air = 0.4;
 
   /// Checks all ranges.
   void check() const
@@ -66,10 +57,8 @@ struct Surface_options
     CGAL_precondition(least_width > 0 && least_width <= 1);
     CGAL_precondition(along_normal > 0 && along_normal < 1);
     CGAL_precondition(opposite_normals > -1 && opposite_normals <= 0);
-    CGAL_precondition(least_gap > 0);
     CGAL_precondition(trusted_orientation > 0 && trusted_orientation < 1);
     CGAL_precondition(0 < least_inside && least_inside < 0.5);
-    CGAL_precondition(0 < air && air < 1);
   }
 
   /// Calls `visit(name, value)` for every option.
@@ -82,10 +71,8 @@ struct Surface_options
     visit("least_width", least_width);
     visit("along_normal", along_normal);
     visit("opposite_normals", opposite_normals);
-    visit("least_gap", least_gap);
     visit("trusted_orientation", trusted_orientation);
     visit("least_inside", least_inside);
-    visit("air", air);
   }
 };
 

@@ -26,13 +26,14 @@ inline bool are_opposite_sheets(const Patch& a, const Patch& b, const Surface_op
 }
 
 /// Whether two oriented patches face each other, through the solid of a thin limb or through the
-/// air between two limbs: normals are opposite, and each lies above the other or each below it.
+/// air between two limbs: normals are opposite, and each lies above the other or each below it, by
+/// more in sum than the resolution: less cannot be told from a crease.
 inline bool face_each_other(const Patch& a, const Patch& b, const Surface_options& options)
 {
   const Vector3 d = b.mean - a.mean;
   const double above_a = a.normal.dot(d), above_b = -b.normal.dot(d); // heights
   return a.normal.dot(b.normal) < options.opposite_normals && above_a * above_b > 0 &&
-         std::abs(above_a + above_b) > options.least_gap * (std::min)(a.resolution(), b.resolution());
+         std::abs(above_a + above_b) > (std::min)(a.resolution(), b.resolution());
 }
 
 /// Returns the least cosine between the normal of a patch and the direction to it at which a place
