@@ -61,13 +61,11 @@ private:
   double half_width(const Skeleton_graph::Vertex& vertex,
                     const std::vector<std::size_t>& patches) const
   {
-    double greatest = 0, mean = 0;
-    for(std::size_t i : patches) {
-      const double distance = (surface_.patches[i].mean - vertex.position).norm();
-      greatest = (std::max)(greatest, distance);
-      mean += distance / static_cast<double>(patches.size());
-    }
-    return (std::max)(vertex.resolution, strip_ == Strip::side ? greatest : mean);
+    double result = (std::max)(vertex.resolution, vertex.half_width);
+    if(strip_ == Strip::side)
+      for(std::size_t i : patches)
+        result = (std::max)(result, (surface_.patches[i].mean - vertex.position).norm());
+    return result;
   }
 
   /// All that is near the middle of a solid faces away from it: the mean cosine between the normals

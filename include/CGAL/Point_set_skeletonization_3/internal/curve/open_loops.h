@@ -95,7 +95,7 @@ public:
   {
     Loop result, back;
     auto [v, w] = edge;
-    for(; v != w; )
+    while(v != w)
       if(depth_[v] >= depth_[w]) {
         result.push_back(v);
         v = parent_[v];

@@ -86,8 +86,7 @@ inline Linked_samples link_samples(const Surface& surface, const Samples& sample
     parallel_invoke(
       concurrency, [&] { frame.connect(true, single_component); },
       [&] { tree.connect(false, single_component); });
-  Curve_fitting& curve = 
-    is_frame(frame.graph(), tree.graph(), noise, options) ? frame : tree;
+  Curve_fitting& curve = is_frame(frame.graph(), tree.graph(), noise, options) ? frame : tree;
   curve.centre();
   progress(0.95);
   Linked_samples result;
