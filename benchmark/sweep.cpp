@@ -30,8 +30,8 @@ namespace {
 
 namespace internal = CGAL::Point_set_skeletonization_3::internal;
 
-/// What a skeleton is compared by: components, cycles, ends. Of a scan the ends do not count: it may
-/// not reach them.
+/// What a skeleton is compared by: components, cycles, ends. Of a scan the ends do not count: it
+/// may not reach them.
 using Counts = std::array<std::size_t, 3>;
 
 struct Cloud

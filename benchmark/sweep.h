@@ -7,8 +7,8 @@
 #include "Quality_options.h"
 
 /// Moves every option of the default method by a share of its value, to either side, and prints how
-/// many skeletons of generated shapes and simulated scans are exact then, and how many changed their
-/// counts.
+/// many skeletons of generated shapes and simulated scans are exact then, and how many changed
+/// their counts.
 namespace sweep {
 
 void run(const Quality_options& options);

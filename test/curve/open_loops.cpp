@@ -179,7 +179,9 @@ TEST_CASE("A loop has room for a hole if it is wider than its limbs, in any unit
   CHECK_FALSE(has_room(1.1, circle));
   const auto slot = [](double t) { return Vector3(10 * std::cos(t), std::sin(t), 0); };
   CHECK(has_room(0.9, slot));
-  const auto eight = [](double t) { return Vector3(std::cos(t), std::sin(2 * t), 0.2 * std::sin(t)); };
+  const auto eight = [](double t) {
+    return Vector3(std::cos(t), std::sin(2 * t), 0.2 * std::sin(t));
+  };
   CHECK(has_room(0.3, eight));
   const auto to_and_fro = [](double t) { return Vector3(std::cos(t), 0.01 * std::sin(t), 0); };
   CHECK_FALSE(has_room(0.3, to_and_fro));

@@ -44,7 +44,8 @@ inline Curve_evidence evidence_along(const Loop& loop, const Skeleton_graph& gra
 ///
 /// The radius of a circle is twice its area over its length. The same ratio is that of any loop,
 /// with the area of the triangles between its edges and its middle; it is small where a loop only
-/// runs to and fro. It is compared with the mean half width at the separators. O(length of the loop).
+/// runs to and fro. It is compared with the mean half width at the separators. O(length of the
+/// loop).
 inline bool has_room_for_hole(const Loop& loop, const Skeleton_graph& graph)
 {
   Vector3 middle = Vector3::Zero();

@@ -50,8 +50,8 @@ enum class Limb_reading
 };
 
 /// Whether there is enough evidence for a loop of a quotient. In a tree it must have been seen from
-/// all sides and have room for a hole; a ring found around a hole is evidence for it. O(length of the
-/// loop).
+/// all sides and have room for a hole; a ring found around a hole is evidence for it. O(length of
+/// the loop).
 inline bool is_loop(const Loop& loop, const Skeleton_graph& graph,
                     const std::vector<Local_separator>& separators, Limb_reading reading,
                     double least_evidence)
