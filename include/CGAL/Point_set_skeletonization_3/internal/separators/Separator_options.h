@@ -18,7 +18,8 @@ struct Separator_options
 
   /// Least ratio of a part of the front to the next larger one, in (0, 1), for it to be on a limb
   /// of its own: limbs do not taper faster within one ball, and less is a dent or a bump. Two parts
-  /// are on both sides of a separator; with a third one the region is at a junction, which has none.
+  /// are on both sides of a separator; with a third one the region is at a junction, which has
+  /// none.
   double least_share = 0.2;
 
   /// Radii; regions grown from samples closer than this are the same: only one is grown.
