@@ -49,23 +49,14 @@ enum class Limb_reading
   known_tree, ///< The same, and nothing closes a loop.
 };
 
-/// Whether there is enough evidence for a loop of a quotient. In a tree it must have been seen from
-/// all sides and have room for a hole; a ring found around a hole is evidence for it. O(length of
-/// the loop).
-inline bool is_loop(const Loop& loop, const Skeleton_graph& graph,
-                    const std::vector<Local_separator>& separators, Limb_reading reading,
+/// Whether there is enough evidence for a loop. In a tree it must have been seen from all sides and
+/// have room for a hole. O(length of the loop).
+inline bool is_loop(const Loop& loop, const Skeleton_graph& graph, Limb_reading reading,
                     double least_evidence)
 {
   const Curve_evidence seen = evidence_along(loop, graph);
-  if(reading == Limb_reading::known_tree || seen.evidence() < least_evidence)
-    return false;
-  const auto is_around_handle = [&] {
-    return std::any_of(loop.begin(), loop.end(), [&](std::size_t v) {
-      return v < separators.size() && separators[v].is_of_handle;
-    });
-  };
-  return reading == Limb_reading::frame ||
-         (!seen.is_open() && (has_room_for_hole(loop, graph) || is_around_handle()));
+  return reading != Limb_reading::known_tree && seen.evidence() >= least_evidence &&
+         (reading == Limb_reading::frame || (!seen.is_open() && has_room_for_hole(loop, graph)));
 }
 
 /// Returns the separators that are not mostly of marked patches, in their order. O(n).
@@ -121,7 +112,7 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
   const auto with_loops_seen = [&](Surface_quotient quotient) {
     set_evidence(quotient, surface, samples, is_frame ? Strip::side : Strip::leaf, concurrency);
     quotient.graph = with_loops_opened(quotient.graph, [&](const Loop& loop) {
-      return is_loop(loop, quotient.graph, separators, reading, options.curve.limb_evidence);
+      return is_loop(loop, quotient.graph, reading, options.curve.limb_evidence);
     });
     return quotient;
   };
