@@ -8,6 +8,7 @@
 #include "threads.h"
 
 #include <CGAL/Point_set_skeletonization_3/internal/consolidation/consolidate.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
@@ -119,6 +120,27 @@ TEST_CASE("A twig drowned in noise becomes thin and does not gather in lumps")
     const Consolidated_mixture surface = consolidated(twig);
     CHECK(root_mean_square(kept(surface, across)) < sigma);
     CHECK(widest_gap(kept(surface, along)) < 3 * sigma);
+  }
+}
+
+TEST_CASE("Between two limbs as thin as their noise hardly a component remains")
+{
+  for(unsigned seed = 0; seed < seeds; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    constexpr double noise = 0.01, radius = 2 * noise, apart = 9 * noise;
+    const Gaussians limbs = components(20000, [&] {
+      const double angle = random.uniform(0, 2 * CGAL_PI);
+      const double axis = random.uniform() < 0.5 ? -apart / 2 : apart / 2;
+      return Vector3(axis + radius * std::cos(angle) + noise * random.normal(),
+                     radius * std::sin(angle) + noise * random.normal(), random.uniform(-0.5, 0.5));
+    });
+    const std::vector<double> to_the_middle =
+      kept(consolidated(limbs), [](const Vector3& p) { return std::abs(p[0]); });
+    const auto between =
+      std::count_if(to_the_middle.begin(), to_the_middle.end(),
+                    [&](double x) { return x < apart / 2 - radius - noise; });
+    CHECK(between < static_cast<std::ptrdiff_t>(to_the_middle.size() / 1000));
   }
 }
 

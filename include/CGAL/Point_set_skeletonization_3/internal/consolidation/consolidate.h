@@ -186,7 +186,7 @@ private:
     for(int pass = 0; pass < passes; ++pass) {
       const std::vector<double> densities = move(space, most_passes * noise_.strength / passes);
       space = scale_space();
-      if(!drop_thin(space, densities).empty() && pass + 1 < passes)
+      if(!drop_thin(densities).empty() && pass + 1 < passes)
         space = scale_space();
     }
   }
@@ -227,7 +227,7 @@ private:
       }
     for(int pass = 0; pass < most_passes; ++pass) {
       measure_densities(space, densities);
-      const std::vector<std::size_t> dropped = drop_thin(space, densities);
+      const std::vector<std::size_t> dropped = drop_thin(densities);
       if(dropped.empty())
         break;
       space = scale_space();
@@ -340,38 +340,39 @@ private:
   }
 
   /// Drops components of low density near a dense surface, the tail of its noise, and returns them.
-  /// `space` is of the components before.
-  std::vector<std::size_t> drop_thin(const Scale_space& space,
-                                     const std::vector<double>& densities)
+  /// A thin limb moves away from its tail and becomes dense: what is near is told by the places
+  /// before anything moved, and what has become denser itself is no tail.
+  std::vector<std::size_t> drop_thin(const std::vector<double>& densities)
   {
-    const Box_tree& tree = space.tree();
+    if(first_densities_.empty())
+      first_densities_ = densities;
     std::vector<double> in_order; // densities in the order of the tree
-    for(std::size_t i : space.kept())
-      in_order.push_back(densities[i]);
+    for(std::size_t i : tree_.order())
+      in_order.push_back(moving_.is_outlier[i] ? 0 : densities[i]);
     const auto at = [&](std::size_t k) {
       return in_order.begin() + static_cast<std::ptrdiff_t>(k);
     };
     std::vector<double> densest; // maximum of each node of the tree
-    for(const Box_tree::Node& node : tree.nodes())
+    for(const Box_tree::Node& node : tree_.nodes())
       densest.push_back(*std::max_element(at(node.begin), at(node.end)));
     const double thin = options_.thin;
     // Halfway to being isolated, a component is compared with others as many times farther away.
     const double halfway = (std::max)(1.0, options_.isolated / 2);
     std::vector<char> drop(spacings_.size(), 0);
     parallel_for(concurrency_, drop.size(), [&](std::size_t i) {
-      if(moving_.is_outlier[i] || is_on_line_[i])
+      if(moving_.is_outlier[i] || is_on_line_[i] || densities[i] > first_densities_[i])
         return;
       const double apart = spacings_[i] > halfway * spacing_ ? halfway : 1;
       const double reach = apart * radii_[noise_.size];
-      const Vector3& position = moving_.positions[i];
+      const Vector3& position = moving_.mixture[i].mean;
       const auto may_tell = [&](std::size_t node) {
         return !drop[i] && densities[i] < thin * densest[node] &&
-               squared_distance(tree.boxes()[node], position) < reach * reach;
+               squared_distance(tree_.boxes()[node], position) < reach * reach;
       };
-      tree.visit_leaves(may_tell, [&](std::size_t begin, std::size_t end) {
+      tree_.visit_leaves(may_tell, [&](std::size_t begin, std::size_t end) {
         for(std::size_t k = begin; k < end; ++k)
           if(densities[i] < thin * in_order[k] &&
-             (tree.positions()[k] - position).squaredNorm() < reach * reach)
+             (tree_.positions()[k] - position).squaredNorm() < reach * reach)
             drop[i] = true;
       });
     });
@@ -437,6 +438,7 @@ private:
   Moving_mixture moving_;
   Noise noise_;
   std::vector<char> is_on_line_; ///< Of each component; not `bool`: threads write to it.
+  std::vector<double> first_densities_; ///< Of each component, before anything moved.
   std::optional<Scale_space> space_; ///< Before anything moves.
 };
 
