@@ -159,7 +159,7 @@ private:
     if(section.area > 0 && weight > least_weight && (!is_open(vertex) || has_area(vertex, weight)))
       return {vertex.position, in_space(section.center), weight,
               (std::max)(radius, std::sqrt(section.area / CGAL_PI)), true, 0};
-    if(points.empty() || (!is_open(vertex) && !(section.area > 0)))
+    if(points.empty() || !is_open(vertex))
       return not_drawn(v, radius);
     const Eigen::Vector2d median =
       l1_median(points, (std::max)(0.1 * vertex.resolution, least_spacing));
