@@ -63,7 +63,7 @@ inline Samples medial_samples(const Surface& surface, const Medial_options& opti
   std::vector<char> is_inside(patches.size());
   for(std::size_t i = 0; i < patches.size(); ++i) {
     is_inside[i] = surface.confidence[i] >= surface.options.trusted_orientation &&
-                   at_centers[i] >= least_inside;
+                   at_centers[i] >= least_inside * patches[i].planarity;
     positions[i] =
       is_inside[i] ? Vector3(patches[i].mean - balls[i] * patches[i].normal) : patches[i].mean;
   }

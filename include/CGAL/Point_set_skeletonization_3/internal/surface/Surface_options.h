@@ -43,10 +43,11 @@ struct Surface_options
   double trusted_orientation = 0.3;
 
   /// Least winding number inside, in (0, 0.5). It is 1 inside and 0 outside a closed surface, 0.5
-  /// on it and in the middle of a hole of the data, and lower in limbs so thin that their patches
-  /// are not planar. On the surface, patches below its negative are oriented inwards, patches above
-  /// it outwards.
-  double least_inside = 0.25;
+  /// on it, in the middle of a hole of the data, and in a limb that was seen from one side, where
+  /// grazing views take some of it. Patches count as much as they are planar: the medial balls of
+  /// a thin limb, whose patches are not, need as much less. Further out in the mouth of a funnel,
+  /// such as a rolled leaf, it falls below.
+  double least_inside = 0.35;
 
   /// Checks all ranges.
   void check() const

@@ -64,6 +64,7 @@ inline std::vector<double> winding_numbers_on_surface(const Winding_number& wind
 inline Winding_number settle_orientation(Patches& patches, const Box_tree& tree,
                                          const Surface_options& options, Concurrency concurrency)
 {
+  constexpr double decided = 0.25; // halfway between an open sheet and one side of a solid
   Winding_number winding_number(patches, tree, concurrency);
   const auto turn_where = [&](const auto& is_wrong) {
     std::vector<char> wrong(patches.size());
@@ -75,8 +76,8 @@ inline Winding_number settle_orientation(Patches& patches, const Box_tree& tree,
       winding_number = Winding_number(patches, tree, concurrency);
   };
   const std::vector<double> on_surface =
-    winding_numbers_on_surface(winding_number, tree, options.least_inside, concurrency);
-  turn_where([&](std::size_t i) { return on_surface[i] < -options.least_inside; });
+    winding_numbers_on_surface(winding_number, tree, decided, concurrency);
+  turn_where([&](std::size_t i) { return on_surface[i] < -decided; });
   turn_where([&](std::size_t i) {
     const Patch& patch = patches[i];
     if(is_like_its_neighbors(patch, patches, options))
