@@ -25,12 +25,15 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Returns the path through some points to the one that is furthest away from a ball, by shortest
-/// paths in the nearest-neighbour graph (Dijkstra); the first point is the one next to the ball.
-/// Empty if all points are in the ball, or behind a gap. O(n log n).
+/// Returns the path through some points to the furthest away from a ball that may be an end, by
+/// shortest paths in the nearest-neighbour graph (Dijkstra); the first point is the one next to the
+/// ball. Empty if there is none, or only behind a gap. O(n log n).
 /// \param gap no two consecutive points are further apart
-inline std::vector<Vector3> longest_path_from_ball(const Vector3& center, double radius,
-                                                   const std::vector<Vector3>& points, double gap)
+/// \param is_end tells for a point whether the path may end there
+template <typename Is_end>
+std::vector<Vector3> longest_path_from_ball(const Vector3& center, double radius,
+                                            const std::vector<Vector3>& points, double gap,
+                                            const Is_end& is_end)
 {
   constexpr std::size_t neighbors = 8; // a ring around a point of a sheet
   constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
@@ -52,7 +55,8 @@ inline std::vector<Vector3> longest_path_from_ball(const Vector3& center, double
     queue.pop();
     if(so_far > length[i])
       continue;
-    last = i;
+    if(before[i] != none && is_end(points[i]))
+      last = i;
     for(const Neighbor& neighbor : nearest[i]) {
       const double step = std::sqrt(neighbor.squared_distance);
       if(step <= gap && so_far + step < length[neighbor.index]) {
@@ -73,7 +77,7 @@ inline std::vector<Vector3> longest_path_from_ball(const Vector3& center, double
 /// their points: no separator cuts the last piece of a limb, and there is no inside that a straight
 /// continuation could stay in. The path leads through the points of the tip, ahead and without a
 /// gap. O(n log n).
-/// \param points the surface points of each vertex
+/// \param points the surface points of each vertex, without noise: it would lead beyond the end
 /// \param spreads median distance of the points of each vertex that is centred on them
 inline void extend_open_tips(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& points,
                              const std::vector<double>& spreads, const Curve_options& options)
@@ -84,12 +88,13 @@ inline void extend_open_tips(Skeleton_graph& graph, const std::vector<std::vecto
     if(adjacency[tip].size() != 1 || !is_open(graph.vertices[tip]) || points[tip].empty())
       continue;
     Skeleton_graph::Vertex vertex = graph.vertices[tip];
+    const Vector3 direction = tip_direction(tip, graph, adjacency);
+    const auto is_ahead = [&](const Vector3& p) {
+      return direction.dot((p - vertex.position).normalized()) >= options.aligned;
+    };
     const std::vector<Vector3> path = longest_path_from_ball(
       vertex.position, (std::max)(vertex.resolution, half_width * spreads[tip]), points[tip],
-      options.thin_gap * vertex.resolution);
-    if(path.empty() || tip_direction(tip, graph, adjacency)
-                           .dot((path.back() - vertex.position).normalized()) < options.aligned)
-      continue;
+      options.thin_gap * vertex.resolution, is_ahead);
     std::size_t last = tip;
     for(const Vector3& position : path) {
       vertex.position = position;

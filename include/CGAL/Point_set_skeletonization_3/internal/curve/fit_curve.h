@@ -148,7 +148,7 @@ private:
     if(noise_ > 0)
       correct_radii(points);
     extend_tips(graph_, points, [this](const Vector3& q) { return is_inside(q); });
-    extend_open_tips(graph_, points, spreads, options_);
+    extend_open_tips(graph_, components_of_vertices(), spreads, options_);
     resample();
   }
 
@@ -237,6 +237,18 @@ private:
   std::vector<std::vector<Vector3>> points_of_vertices() const
   {
     return points_of_vertices(vertices_of_samples());
+  }
+
+  /// The mixture components of each vertex, without outliers: surface points after denoising.
+  std::vector<std::vector<Vector3>> components_of_vertices() const
+  {
+    const std::vector<std::size_t> vertex_of_sample = vertices_of_samples();
+    std::vector<std::vector<Vector3>> result(graph_.vertices.size());
+    for(std::size_t i = 0; i < samples_.size(); ++i)
+      if(!is_outlier_[i])
+        for(std::size_t k : surface_.groups[i])
+          result[vertex_of_sample[i]].push_back(surface_.components[k]);
+    return result;
   }
 
   const Curve_options& options_;
