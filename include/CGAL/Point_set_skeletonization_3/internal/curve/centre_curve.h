@@ -34,9 +34,10 @@ namespace internal {
 ///
 /// The plane through a vertex orthogonal to its branch cuts the limb; the centroid c of the area of
 /// the cross-section is the target of the vertex. It is known from a few points only. There is no
-/// area if less than a third of the boundary was seen, and in an open limb less than half (a leaf),
-/// or if it is scattered (a twig in leaf). Then the target is the L1-median of the points of the
-/// cross-section, so that the curve stays on them, and the radius is their median distance from it.
+/// area if less than a third of the boundary was seen: where limbs join, vertices stay. In an open
+/// limb there is none if less than half was seen (a leaf), or if it is scattered (a twig in leaf).
+/// Then the target is the L1-median of the points of the cross-section, so that the curve stays on
+/// them, and the radius is their median distance from it.
 /// The positions x minimise the squared distances to the targets plus a bending energy,
 ///
 ///     sum w |x - c|^2 + sum (l / h)^4 |second difference of x|^2
