@@ -49,8 +49,10 @@ inline Samples medial_samples(const Surface& surface, const Medial_options& opti
                               Concurrency concurrency)
 {
   options.check();
-  const double least_inside = surface.options.least_inside;
   const Patches& patches = surface.patches;
+  const auto is_inside_beside = [&](std::size_t i, double winding_number) {
+    return winding_number >= surface.options.least_inside * patches[i].planarity;
+  };
   const std::vector<double> balls = medial_ball_radii(surface, options.slope, concurrency);
 
   std::vector<Vector3> centers; // in the order of the tree, so that consecutive ones are close
@@ -63,7 +65,7 @@ inline Samples medial_samples(const Surface& surface, const Medial_options& opti
   std::vector<char> is_inside(patches.size());
   for(std::size_t i = 0; i < patches.size(); ++i) {
     is_inside[i] = surface.confidence[i] >= surface.options.trusted_orientation &&
-                   at_centers[i] >= least_inside * patches[i].planarity;
+                   is_inside_beside(i, at_centers[i]);
     positions[i] =
       is_inside[i] ? Vector3(patches[i].mean - balls[i] * patches[i].normal) : patches[i].mean;
   }
@@ -75,7 +77,7 @@ inline Samples medial_samples(const Surface& surface, const Medial_options& opti
     const double away = (positions[i] - patches[i].mean).norm();
     const bool is_lost =
       away > options.reach * radii[i] + patches[i].spacing ||
-      (!is_inside[i] && surface.winding_number(positions[i]) < least_inside);
+      (!is_inside[i] && !is_inside_beside(i, surface.winding_number(positions[i])));
     if(is_lost)
       samples[i] = {patches[i].mean, 0};
     else
