@@ -23,17 +23,18 @@ namespace internal {
 struct Dimensionality
 {
   double linearity = 0, planarity = 0, scattering = 0;
-  double number = 0; ///< Of patches.
+  double number = 0; ///< Of the mixture components that they are made of.
 
-  /// Whichever is greatest.
+  /// Whichever is greatest; they are a line or a sheet if it is more than what as few scattered
+  /// components show by chance.
   Medial_sample_kind kind() const
   {
-    if(linearity > planarity && linearity > scattering)
-      return Medial_sample_kind::line;
-    return planarity > scattering ? Medial_sample_kind::sheet : Medial_sample_kind::scatter;
+    if((std::max)(linearity, planarity) - anisotropy_by_chance(number) <= scattering)
+      return Medial_sample_kind::scatter;
+    return linearity > planarity ? Medial_sample_kind::line : Medial_sample_kind::sheet;
   }
 
-  /// Whether they are scattered by more than what as few patches of a line or a sheet show by
+  /// Whether they are scattered by more than what as few components of a line or a sheet show by
   /// chance.
   bool is_clearly_scattered() const
   {
@@ -48,20 +49,22 @@ inline Dimensionality dimensionality_around(const Surface& surface, std::size_t 
   const Patch& patch = surface.patches[i];
   Vector3 sum = Vector3::Zero();
   Matrix3 products = Matrix3::Zero();
-  double number = 0;
+  double number = 0, components = 0;
   surface.tree.visit_within(patch.mean, reach * patch.spacing, [&](std::size_t k, double) {
-    const Gaussian& component = surface.gaussians[surface.tree.order()[k]];
-    const Vector3 offset = component.mean - patch.mean;
+    const std::size_t other = surface.tree.order()[k];
+    const Vector3 offset = surface.patches[other].mean - patch.mean;
     sum += offset;
-    products += component.covariance + offset * offset.transpose();
+    products += surface.gaussians[other].covariance + offset * offset.transpose();
     ++number;
+    components += static_cast<double>(surface.patches[other].components);
   });
   const Matrix3 covariance = products / number - sum * sum.transpose() / (number * number);
   const Vector3 deviations = principal_axes(covariance).variances.cwiseSqrt(); // ascending
   if(!(deviations[2] > 0))
-    return {0, 0, 0, number};
+    return {0, 0, 0, components};
   return {(deviations[2] - deviations[1]) / deviations[2],
-          (deviations[1] - deviations[0]) / deviations[2], deviations[0] / deviations[2], number};
+          (deviations[1] - deviations[0]) / deviations[2], deviations[0] / deviations[2],
+          components};
 }
 
 /// Returns what each sample is in the middle of. O(n log n).
