@@ -23,22 +23,23 @@ namespace internal {
 struct Dimensionality
 {
   double linearity = 0, planarity = 0, scattering = 0;
-  double number = 0; ///< Of the mixture components that they are made of.
+  double patches = 0;    ///< How many.
+  double components = 0; ///< How many mixture components they are made of.
 
   /// Whichever is greatest; they are a line or a sheet if it is more than what as few scattered
   /// components show by chance.
   Medial_sample_kind kind() const
   {
-    if((std::max)(linearity, planarity) - anisotropy_by_chance(number) <= scattering)
+    if((std::max)(linearity, planarity) - anisotropy_by_chance(components) <= scattering)
       return Medial_sample_kind::scatter;
     return linearity > planarity ? Medial_sample_kind::line : Medial_sample_kind::sheet;
   }
 
-  /// Whether they are scattered by more than what as few components of a line or a sheet show by
-  /// chance.
+  /// Whether they are scattered by more than what as few patches of a line or a sheet show by
+  /// chance: large flat patches are few.
   bool is_clearly_scattered() const
   {
-    return scattering - (std::max)(linearity, planarity) > anisotropy_by_chance(number);
+    return scattering - (std::max)(linearity, planarity) > anisotropy_by_chance(patches);
   }
 };
 
@@ -61,10 +62,10 @@ inline Dimensionality dimensionality_around(const Surface& surface, std::size_t 
   const Matrix3 covariance = products / number - sum * sum.transpose() / (number * number);
   const Vector3 deviations = principal_axes(covariance).variances.cwiseSqrt(); // ascending
   if(!(deviations[2] > 0))
-    return {0, 0, 0, components};
+    return {0, 0, 0, number, components};
   return {(deviations[2] - deviations[1]) / deviations[2],
           (deviations[1] - deviations[0]) / deviations[2], deviations[0] / deviations[2],
-          components};
+          number, components};
 }
 
 /// Returns what each sample is in the middle of. O(n log n).
