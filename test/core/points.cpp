@@ -181,13 +181,6 @@ TEST_CASE("The L1-median has the least sum of distances, and outliers do not mov
   points.insert(points.end(), 50, Vector3(1000, 0, 0));
   CHECK((l1_median(points, closest) - median).norm() < 2); // the mean moves by 90
   CHECK(l1_median(std::vector<Vector3>(3, Vector3(1, 2, 3)), closest).isApprox(Vector3(1, 2, 3)));
-
-  std::vector<double> weights(points.size(), 1); // a weight of 2 is that of two points
-  for(std::size_t k = 0; k < 100; ++k)
-    weights[k] = 2;
-  std::vector<Vector3> repeated = points;
-  repeated.insert(repeated.end(), points.begin(), points.begin() + 100);
-  CHECK((l1_median(points, weights, closest) - l1_median(repeated, closest)).norm() < 1e-9);
 }
 
 } // namespace points_test

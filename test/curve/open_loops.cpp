@@ -174,20 +174,21 @@ TEST_CASE("A loop with enough evidence stays, though one place has none; a tree 
   CHECK(opened_below(graph, infinity).edges.size() == 9);
 }
 
-TEST_CASE("A loop has room for a hole if it is wider than its limbs, in any unit")
+TEST_CASE("A loop has room for a hole if it is wider than its limbs are thick, in any unit")
 {
   constexpr std::size_t size = 40;
   const double unit = GENERATE(1e-3, 1.0, 1e3);
   CAPTURE(unit);
   // Limbs along a closed curve, for each number from 0 to 1 the place at that share of it.
-  const auto has_room = [&](double half_width, const auto& place) {
+  const auto has_room = [&](double radius, const auto& place) {
     Skeleton_graph graph = polygon(size, 1);
     Loop loop;
     for(std::size_t v = 0; v < size; ++v) {
       graph.vertices[v].position =
         unit * place(2 * CGAL_PI * static_cast<double>(v) / static_cast<double>(size));
       graph.vertices[v].is_cross_section = v % 2 == 0;
-      graph.vertices[v].half_width = v % 2 == 0 ? unit * half_width : 100 * unit; // of a body
+      graph.vertices[v].radius = v % 2 == 0 ? unit * radius : 100 * unit; // of a body
+      graph.vertices[v].half_width = 100 * unit; // of a sheet
       loop.push_back(v);
     }
     return has_room_for_hole(loop, graph);

@@ -239,7 +239,6 @@ TEST_CASE("Fronts lead around a handle that one ring cuts")
 {
   const Tube& torus = surfaces::torus;
   const Patches patches = torus.patches();
-  std::vector<Local_separator> separators = {torus.separator(5)};
   const Surface_quotient quotient = quotient_of(torus, {5});
   REQUIRE(quotient.handles.size() == 1);
   const auto off_axis = [&](const Surface_quotient& q) {
@@ -251,13 +250,9 @@ TEST_CASE("Fronts lead around a handle that one ring cuts")
     return result;
   };
   CHECK(off_axis(quotient) > 0.5 * surfaces::ring_radius); // the piece is all of the torus
-  const auto with_fronts = [&] {
-    return with_handle_fronts(quotient, separators, patches, surfaces::samples_of(patches),
-                              adjacent_pairs(patches));
-  };
-  CHECK(with_fronts().graph.edges == quotient.graph.edges); // of a local separator
-  separators[0].is_of_handle = true;
-  const Surface_quotient fronts = with_fronts();
+  const Surface_quotient fronts =
+    with_handle_fronts(quotient, {torus.separator(5)}, patches, surfaces::samples_of(patches),
+                       adjacent_pairs(patches));
   CHECK(is_cycle(fronts.graph));
   CHECK(off_axis(fronts) < tube_radius);
   CHECK(fronts.handles.empty());
@@ -284,10 +279,8 @@ TEST_CASE("Fronts around a handle keep what is attached to the piece")
   quotient.vertex_of_patch[torus.index(far, 0)] = limb;
   auto& members = quotient.members[piece];
   members.erase(std::find(members.begin(), members.end(), torus.index(far, 0)));
-  std::vector<Local_separator> separators = {torus.separator(ring)};
-  separators[0].is_of_handle = true;
   const Surface_quotient fronts =
-    with_handle_fronts(quotient, separators, patches, surfaces::samples_of(patches),
+    with_handle_fronts(quotient, {torus.separator(ring)}, patches, surfaces::samples_of(patches),
                        adjacent_pairs(patches));
   CHECK(number_of_components(fronts.graph) == 1);
   CHECK(number_of_cycles(fronts.graph) == 1);
@@ -408,8 +401,7 @@ TEST_CASE("The middle of samples is that of the surface, however finely it is di
   std::vector<std::size_t> members(samples.size());
   for(std::size_t i = 0; i < members.size(); ++i)
     members[i] = i;
-  CHECK(std::abs(middle(members, patches, samples, Sample_weight::components).position.x() - 10) <
-        0.6);
+  CHECK(middle(members, patches, samples, Average::mean).position.x() == Approx(10));
 }
 
 TEST_CASE("Components with next to no points are stray")

@@ -74,7 +74,7 @@ public:
         continue;
       index[v] = result.members.size();
       result.graph.vertices.push_back(
-        is_front ? middle(members_[v], patches, samples, Sample_weight::components)
+        is_front ? middle(members_[v], patches, samples, Average::mean)
                  : quotient_.graph.vertices[v]);
       result.graph.vertices.back().is_cross_section |= is_front;
       result.members.push_back(std::move(members_[v]));

@@ -49,7 +49,6 @@ struct Handle_levels
 /// middle is no curve around the pipe. A front is a connected part of it that is equally far around
 /// each of its handles; the curve leads from the middle of each front to that of the next. The
 /// fronts of a piece become a tree, so that the cycles stay those around separators.
-/// Handles that local separators cut are left as they are.
 class Handle_fronts
 {
 public:
@@ -66,8 +65,7 @@ public:
   {
     std::map<std::size_t, std::vector<Surface_quotient::Handle>> handles_around;
     for(const Surface_quotient::Handle& handle : quotient_.handles)
-      if(separators_[handle.separator].is_of_handle)
-        handles_around[handle.piece].push_back(handle);
+      handles_around[handle.piece].push_back(handle);
     for(const auto& [piece, handles] : handles_around)
       if(!is_between_separators_only(piece))
         replace(piece, handles);

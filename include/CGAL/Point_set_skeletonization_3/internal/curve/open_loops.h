@@ -44,17 +44,17 @@ inline Curve_evidence evidence_along(const Loop& loop, const Skeleton_graph& gra
 ///
 /// The radius of a circle is twice its area over its length. The same ratio is that of any loop,
 /// with the area of the triangles between its edges and its middle; it is small where a loop only
-/// runs to and fro. It is compared with the mean half width at the separators. O(length of the
-/// loop).
+/// runs to and fro. It is compared with the mean radius at the separators: a sheet around a hole
+/// may be much wider than the hole. O(length of the loop).
 inline bool has_room_for_hole(const Loop& loop, const Skeleton_graph& graph)
 {
   Vector3 middle = Vector3::Zero();
-  double half_widths = 0, separators = 0;
+  double radii = 0, separators = 0;
   for(std::size_t v : loop) {
     const Skeleton_graph::Vertex& vertex = graph.vertices[v];
     middle += vertex.position / static_cast<double>(loop.size());
     if(vertex.is_cross_section) {
-      half_widths += vertex.half_width;
+      radii += vertex.radius;
       ++separators;
     }
   }
@@ -64,7 +64,7 @@ inline bool has_room_for_hole(const Loop& loop, const Skeleton_graph& graph)
     area += (a - middle).cross(b - middle).norm() / 2;
     length += (b - a).norm();
   });
-  return 2 * area * separators >= half_widths * length;
+  return 2 * area * separators >= radii * length;
 }
 
 /// The loops of a skeleton graph that evidence closes last: each is closed by an edge that is not

@@ -153,35 +153,36 @@ patches_of_vertices(const std::vector<std::size_t>& vertex_of_patch, std::size_t
   return result;
 }
 
-/// How much a sample counts in a middle.
-enum class Sample_weight
+/// How a middle is averaged.
+enum class Average
 {
-  one,        ///< All alike.
-  components, ///< As many times as its patch has components: the middle of a wide piece of surface
-              ///< is not where that is finely divided.
+  median, ///< The L1-median of all alike, whatever samples went astray.
+  mean,   ///< The mean, with the components of patches as weights: across a wide piece of surface
+          ///< the median follows those that are divided finely, along one it is ill-determined.
 };
 
-/// Returns the L1-median of some samples, their mean radius, the mean resolution and distance of
-/// their patches, and the share that is on its patch. O(samples). \pre there is a sample
+/// Returns the middle of some samples, their mean radius, the mean resolution and distance of their
+/// patches, and the share that is on its patch. O(samples). \pre there is a sample
 inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
                                      const Patches& patches, const Samples& samples,
-                                     Sample_weight weight = Sample_weight::one)
+                                     Average average = Average::median)
 {
   Skeleton_graph::Vertex result;
   const double share = 1 / static_cast<double>(members.size());
+  std::vector<Vector3> positions;
+  Vector3 sum = Vector3::Zero();
+  double components = 0;
   for(std::size_t i : members) {
     result.radius += share * samples[i].radius;
     result.resolution += share * patches[i].resolution();
     result.open += is_off_surface(samples[i], patches[i]) ? 0 : share;
-  }
-  std::vector<Vector3> positions;
-  std::vector<double> weights;
-  for(std::size_t i : members) {
     positions.push_back(samples[i].position);
-    weights.push_back(
-      weight == Sample_weight::one ? 1 : static_cast<double>(patches[i].components));
+    sum += static_cast<double>(patches[i].components) * samples[i].position;
+    components += static_cast<double>(patches[i].components);
   }
-  result.position = l1_median(positions, weights, 0.1 * result.radius + least_spacing);
+  result.position = average == Average::mean
+                      ? Vector3(sum / components)
+                      : l1_median(positions, 0.1 * result.radius + least_spacing);
   for(std::size_t i : members)
     result.half_width += share * (patches[i].mean - result.position).norm();
   return result;
@@ -236,8 +237,8 @@ inline Surface_quotient surface_quotient(const Patches& patches, const Samples& 
   parallel_for(concurrency, members.size(), [&](std::size_t v) {
     const bool is_cross_section = v < separators.size();
     const bool is_wide = is_cross_section && separators[v].is_of_handle;
-    result.graph.vertices[v] = middle(members[v], patches, samples,
-                                      is_wide ? Sample_weight::components : Sample_weight::one);
+    result.graph.vertices[v] =
+      middle(members[v], patches, samples, is_wide ? Average::mean : Average::median);
     result.graph.vertices[v].is_cross_section = is_cross_section;
   });
   return result;

@@ -72,20 +72,18 @@ inline std::vector<Local_separator> without_marked(std::vector<Local_separator> 
 }
 
 /// Returns the separators but those that are only there because they cut a handle, if they are on
-/// no cycle of a quotient, since its loops have been opened. O(n log n).
+/// no cycle of their quotient, since its loops have been opened. O(n).
 inline std::vector<Local_separator> without_idle(std::vector<Local_separator> separators,
                                                  const Surface_quotient& quotient)
 {
   const std::vector<std::size_t> part = two_edge_connected_components(quotient.graph);
-  std::vector<bool> is_idle(separators.size(), false);
-  for(const Surface_quotient::Handle& handle : quotient.handles)
-    is_idle[handle.separator] = separators[handle.separator].is_of_handle;
+  std::vector<bool> is_on_cycle(quotient.graph.vertices.size(), false);
   for(const Skeleton_graph::Edge& e : quotient.graph.edges)
-    if(part[e.first] == part[e.second] && e.first < separators.size())
-      is_idle[e.first] = false;
+    if(part[e.first] == part[e.second])
+      is_on_cycle[e.first] = is_on_cycle[e.second] = true;
   std::vector<Local_separator> result;
-  for(std::size_t s = 0; s < separators.size(); ++s)
-    if(!is_idle[s])
+  for(std::size_t s = 0; s < separators.size(); ++s) // the first vertices are separators
+    if(!separators[s].is_of_handle || is_on_cycle[s])
       result.push_back(std::move(separators[s]));
   return result;
 }
@@ -107,7 +105,9 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
                                     options.separators, concurrency),
                    is_scattered);
   const auto quotient_of = [&] {
-    return surface_quotient(surface.patches, samples, overlaps, separators, concurrency);
+    return with_handle_fronts(
+      surface_quotient(surface.patches, samples, overlaps, separators, concurrency), separators,
+      surface.patches, samples, overlaps.pairs());
   };
   const auto with_loops_seen = [&](Surface_quotient quotient) {
     set_evidence(quotient, surface, samples, is_frame ? Strip::side : Strip::leaf, concurrency);
@@ -120,8 +120,7 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
   if(std::any_of(separators.begin(), separators.end(),
                  [](const Local_separator& separator) { return separator.is_of_handle; })) {
     separators = without_idle(std::move(separators), with_loops_seen(std::move(quotient)));
-    quotient = with_handle_fronts(quotient_of(), separators, surface.patches, samples,
-                                  overlaps.pairs());
+    quotient = quotient_of();
   }
   Limb_network result;
   result.quotient = with_loops_seen(with_wave_fronts(
