@@ -360,6 +360,33 @@ TEST_CASE("An open limb of which hardly half was seen is centred on its points")
   }
 }
 
+TEST_CASE("A wavering curve comes to rest in the middle of a wide wall around a hole")
+{
+  // The wall of a pipe: 13 times as wide as thick, so that where the curve is not at a right angle
+  // to the wall, planes cut its borders where other vertices are nearest.
+  constexpr double radius = 5.7, half_width = 13, length = 2 * CGAL_PI * radius;
+  const Axis axis = bent(radius);
+  for(unsigned int seed : seeds) {
+    CAPTURE(seed);
+    shapes::Random random(seed);
+    Limb limb = curve(axis, length, true, [&](double s) {
+      return Vector3(std::sin(3 * s / radius) * Vector3::UnitZ());
+    });
+    const auto number = static_cast<int>(4 * half_width * length / (spacing * spacing));
+    for(int i = 0; i < number; ++i) {
+      const Frame frame = axis(random.uniform(0, length));
+      const double side = i % 2 == 0 ? 1 : -1;
+      add(limb, frame.origin + side * frame.e1 + random.uniform(-half_width, half_width) * frame.e2);
+    }
+    limb.centre();
+    for(const auto& vertex : limb.graph.vertices) {
+      const Vector3& p = vertex.position;
+      REQUIRE(std::abs(p.z()) < 0.2);
+      REQUIRE(std::abs(std::hypot(p.x(), p.y()) - radius) < 0.2);
+    }
+  }
+}
+
 TEST_CASE("Nothing is drawn out of the shape")
 {
   constexpr double length = 20, wall = 0.7; // what is inside

@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <queue>
 #include <utility>
 #include <vector>
 
@@ -230,36 +231,51 @@ private:
     const double half_width =
       (std::max)(graph_.vertices[v].resolution, options_.step * radius);
     // Points of the cross-section may belong to vertices further along the limb, not to other
-    // limbs.
+    // limbs; in a wide limb that the plane does not cut at a right angle, the further, the wider.
     constexpr double reach = 2; // radii
+    constexpr double slope = 0.5; // 30 degrees
+    double widest = 0;
     std::vector<Eigen::Vector2d> result;
-    for(std::size_t u : around(v, half_width + reach * radius))
+    visit_around(v, [&](std::size_t u, double way) {
+      const double least_width = way > half_width + reach * radius ? (way - half_width) / slope : 0;
       for(const Vector3& p : surface_[u]) {
         Vector3 d = p - graph_.vertices[v].position;
         const double z = piece.axis.dot(d);
         if(std::abs(z) >= half_width)
           continue;
+        const double width = d.norm();
+        if(width < least_width)
+          continue;
+        widest = (std::max)(widest, width);
         const double t = (std::min)(1.0, std::abs(z) / piece.half_chord);
         d -= t * t * piece.sag;
         result.emplace_back(e1.dot(d), e2.dot(d));
       }
+      return least_width <= widest;
+    });
     return result;
   }
 
-  /// The vertices within a distance of `reach` along the graph.
-  std::vector<std::size_t> around(std::size_t v, double reach) const
+  /// Calls `visit(u, way)` for vertices in the order of their distance along the graph, until it
+  /// returns false.
+  template <typename Visit>
+  void visit_around(std::size_t v, const Visit& visit) const
   {
-    std::vector<std::size_t> result{v};
-    std::vector<double> way{0};
-    for(std::size_t k = 0; k < result.size(); ++k)
-      for(std::size_t w : adjacency_[result[k]]) {
-        const double there = way[k] + distance(result[k], w);
-        if(there <= reach && std::find(result.begin(), result.end(), w) == result.end()) {
-          result.push_back(w);
-          way.push_back(there);
-        }
-      }
-    return result;
+    using Reached = std::pair<double, std::size_t>;
+    std::priority_queue<Reached, std::vector<Reached>, std::greater<Reached>> reached;
+    std::vector<std::size_t> visited;
+    reached.emplace(0, v);
+    while(!reached.empty()) {
+      const auto [way, u] = reached.top();
+      reached.pop();
+      if(std::find(visited.begin(), visited.end(), u) != visited.end())
+        continue;
+      visited.push_back(u);
+      if(!visit(u, way))
+        return;
+      for(std::size_t w : adjacency_[u])
+        reached.emplace(way + distance(u, w), w);
+    }
   }
 
   /// The first vertex at least `reach` away from `v` through its neighbour `to`, or the end of the
