@@ -15,6 +15,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Growing_region.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Path_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Separator_options.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/bounds_solid.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/choose_separators.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/local_separators.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
@@ -369,6 +370,49 @@ TEST_CASE("Coplanar patches without balls overlap, others do not")
   for(Patch& patch : patches)
     patch.planarity = 0.5; // scattered
   CHECK(number_in_one_limb() == 0);
+}
+
+TEST_CASE("Rings around limbs and sheets bound solid, those around the walls of a pipe do not")
+{
+  // A ring of patches with a radius, whose samples are `inwards` of them.
+  const auto bounds = [](double radius, double inwards) {
+    Patches patches;
+    Samples samples;
+    Local_separator ring;
+    for(int j = 0; j < across; ++j) {
+      const Vector3 outwards = around(2 * CGAL_PI * j / across);
+      Patch patch;
+      patch.mean = radius * outwards;
+      patch.spacing = 2 * CGAL_PI * radius / across;
+      patches.push_back(patch);
+      samples.push_back({(radius - inwards) * outwards, std::abs(inwards)});
+      ring.patches.push_back(ring.patches.size());
+    }
+    return bounds_solid(ring, patches, samples);
+  };
+  CHECK(bounds(1, 1)); // a round limb
+  CHECK(bounds(1, 0.7)); // off its axis
+  CHECK(bounds(1, 0)); // a sheet
+  for(double thickness : {0.1, 0.3}) { // of a wall
+    CAPTURE(thickness);
+    CHECK_FALSE(bounds(1, thickness / 2));
+    CHECK_FALSE(bounds(1 - thickness, -thickness / 2));
+  }
+
+  // A flat limb, 10 times as wide as thick.
+  Patches patches;
+  Samples samples;
+  Local_separator ring;
+  for(int j = 0; j < 20; ++j)
+    for(double side : {-1., 1.}) {
+      Patch patch;
+      patch.mean = Vector3(j, 0, side);
+      patch.spacing = 1;
+      patches.push_back(patch);
+      samples.push_back({Vector3(j, 0, 0), 1});
+      ring.patches.push_back(ring.patches.size());
+    }
+  CHECK(bounds_solid(ring, patches, samples));
 }
 
 TEST_CASE("A ring around a limb is chosen, an arc of it is not")

@@ -14,6 +14,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Path_search.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Separator_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Waiting_candidates.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/bounds_solid.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
@@ -115,8 +116,9 @@ private:
       add_contractible_loop(search_.local().closed(path.patches, candidate));
       return false;
     }
-    return path.patches.empty() ||
-           (path.curve != none && search_.local().is_crossed(candidate));
+    return bounds_solid(candidate, surface_.patches, samples_) &&
+           (path.patches.empty() ||
+            (path.curve != none && search_.local().is_crossed(candidate)));
   }
 
   void add_contractible_loop(Path_search::Path loop)

@@ -10,6 +10,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Local_separator.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Separator_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Surface_loops.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/bounds_solid.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/choose_separators.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
@@ -95,7 +96,10 @@ private:
                                leaves_connected(ring) && choice_.cuts_limb(ring);
       if(!cuts_handle)
         continue;
-      separators_.push_back(straightened(std::move(ring)));
+      ring = straightened(std::move(ring));
+      if(!bounds_solid(ring, patches_, samples_)) // now it is around a tunnel
+        continue;
+      separators_.push_back(std::move(ring));
       separators_.back().is_of_handle = true;
       occupy(separators_.back(), true);
       return true;
