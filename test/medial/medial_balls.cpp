@@ -16,7 +16,10 @@
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/orient_patches.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -33,10 +36,16 @@ namespace {
 constexpr unsigned int seeds[] = {1, 2, 3};
 const Surface_options options;
 
-// Radius of the ball that touches `a` from inside and `b`.
+// Radius of the ball that touches `a` from inside and the disc of `b` at the place nearest to where
+// a ball touches its plane.
 double ball_radius(const Patch& a, const Patch& b)
 {
-  const Vector3 d = b.mean - a.mean;
+  Vector3 d = b.mean - a.mean;
+  const double in_plane = b.normal.dot(d) / (1 - a.normal.dot(b.normal));
+  if(in_plane > 0) {
+    const Vector3 away = in_plane * (b.normal - a.normal) - d;
+    d += std::min(1.0, std::sqrt(b.area / CGAL_PI) / away.norm()) * away;
+  }
   return d.squaredNorm() / (-2 * a.normal.dot(d));
 }
 
@@ -71,6 +80,29 @@ TEST_CASE("The facing ball is the third smallest of those with all patches that 
   }
   const Patches two = {patches[0], patches[1]};
   CHECK(Facing_balls(two, {1, 1}, tree_of(two), options).radii(Concurrency::sequential)[0] == 0);
+}
+
+TEST_CASE("Across a wall thinner than its patches are wide, a ball has the radius of the wall")
+{
+  const double thickness = GENERATE(0.1, 0.5);
+  for(unsigned int seed : seeds) {
+    CAPTURE(seed, thickness);
+    shapes::Random random(seed);
+    const Vector3 normal = random.direction(), across = normal.unitOrthogonal();
+    const auto patch = [&](const Vector3& mean, const Vector3& outwards) {
+      Patch result;
+      result.mean = mean;
+      result.normal = outwards;
+      result.area = CGAL_PI; // the disc has radius 1
+      return result;
+    };
+    Patches patches = {patch(Vector3::Zero(), normal)};
+    for(double aside : {-0.9, 0.6, 0.8}) // no mean is opposite
+      patches.push_back(patch(aside * across - thickness * normal, -normal));
+    const std::vector<double> radii = Facing_balls(patches, {1, 1, 1, 1}, tree_of(patches), options)
+                                        .radii(Concurrency::sequential);
+    CHECK(radii[0] == Approx(thickness / 2).epsilon(1e-4));
+  }
 }
 
 TEST_CASE("Thickness changes no faster than a share of the way")

@@ -13,7 +13,10 @@
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface_options.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -22,7 +25,8 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Balls that touch two patches whose orientation is trusted.
+/// Balls that touch two patches whose orientation is trusted: the first at its mean, the other
+/// anywhere on a disc of its area, since across a thin wall no mean is opposite.
 class Facing_balls
 {
 public:
@@ -37,8 +41,15 @@ public:
         normals[i] = patches[i].normal;
     for(const Box_tree::Box& box : tree.boxes_of(normals))
       normal_boxes_.push_back(box.cast<float>());
-    for(std::size_t i : tree.order())
+    std::vector<Vector3> discs; // the radius, three times
+    for(const Patch& patch : patches)
+      discs.push_back(Vector3::Constant(std::sqrt(patch.area / CGAL_PI)));
+    for(const Box_tree::Box& box : tree.boxes_of(discs))
+      largest_discs_.push_back(static_cast<float>((box.max)().x()));
+    for(std::size_t i : tree.order()) {
       normals_.push_back(normals[i].cast<float>());
+      discs_.push_back(static_cast<float>(discs[i].x()));
+    }
   }
 
   /// Returns for each patch the radius of the third smallest ball that touches it from inside and a
@@ -95,13 +106,26 @@ private:
       return (third_ - before).maxCoeff() > 0;
     }
 
+    /// A ball with radius r and centre p - r n touches the plane through q = p + d with normal m at
+    /// p + r (m - n), if r = d.m / (1 - n.m). It touches the disc around q at the place nearest to
+    /// that, p + e. A ball through that has the curvature -2 e.n / e^2.
     void look_at(std::size_t other)
     {
       const Eigen::Vector3f& normal = all_.normals_[other];
       const Packet_vectors d = mean_.to(all_.tree_.positions()[other]);
-      const Packet_values face = is_positive(all_.facing_ - normal_.dot(normal));
+      const Packet_values cosine = normal_.dot(normal);
+      const Packet_values face = is_positive(all_.facing_ - cosine);
+      const Packet_values height = d.dot(normal).max(0); // at 0 its mean is as near as its disc
+      const Packet_values radius = height / (1 - cosine).max(1);
+      const Packet_vectors away{radius * (normal.x() - normal_.x) - d.x,
+                                radius * (normal.y() - normal_.y) - d.y,
+                                radius * (normal.z() - normal_.z) - d.z};
+      const Packet_values share =
+        is_positive(height) *
+        (all_.discs_[other] / away.squared_norm().max(least).sqrt()).min(1);
+      const Packet_vectors e{d.x + share * away.x, d.y + share * away.y, d.z + share * away.z};
       const Packet_values curvature =
-          (-2 * face * d.dot(normal_) / d.squared_norm().max(least)).max(0);
+          (-2 * face * e.dot(normal_) / e.squared_norm().max(least)).max(0);
       const Packet_values rest = curvature.min(first_), second_rest = rest.min(second_);
       first_ = first_.max(curvature);
       second_ = second_.max(rest);
@@ -118,9 +142,11 @@ private:
         (normal_.x * least_normal.x()).min(normal_.x * most_normal.x()) +
         (normal_.y * least_normal.y()).min(normal_.y * most_normal.y()) +
         (normal_.z * least_normal.z()).min(normal_.z * most_normal.z());
-      // The point of the box with the least power with respect to the ball.
+      // The point of the discs' box with the least power with respect to the ball.
       const Packet_values radius = 1 / third_.max(least);
-      const Packet_vectors lower = mean_.to((box.min)()), upper = mean_.to((box.max)());
+      const Eigen::Vector3f disc = Eigen::Vector3f::Constant(all_.largest_discs_[node]);
+      const Packet_vectors lower = mean_.to((box.min)() - disc),
+                           upper = mean_.to((box.max)() + disc);
       const Packet_vectors d{(-radius * normal_.x).max(lower.x).min(upper.x),
                           (-radius * normal_.y).max(lower.y).min(upper.y),
                           (-radius * normal_.z).max(lower.z).min(upper.z)};
@@ -166,8 +192,12 @@ private:
   Box_tree box_tree_;
   Packet_tree tree_;
   float facing_; ///< Cosine of two normals below which they face each other.
-  std::vector<Eigen::AlignedBox3f> normal_boxes_; ///< Of each node of the tree.
-  std::vector<Eigen::Vector3f> normals_; ///< In the order of the tree; 0 if not trusted.
+  // Of each node of the tree.
+  std::vector<Eigen::AlignedBox3f> normal_boxes_;
+  std::vector<float> largest_discs_; ///< Radii.
+  // Of each patch, in the order of the tree.
+  std::vector<Eigen::Vector3f> normals_; ///< 0 if not trusted.
+  std::vector<float> discs_;             ///< Radii.
 };
 
 /// Returns the upper median of about a dozen values by counting for each how many are less. That is
