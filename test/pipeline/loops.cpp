@@ -13,6 +13,7 @@
 #include <CGAL/extract_l1_medial_skeleton.h>
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/iterator.h>
 
 #include <cmath>
 #include <cstddef>
@@ -32,12 +33,19 @@ Vector around(double angle)
   return Vector(std::cos(angle), std::sin(angle), 0);
 }
 
+using Kernel = CGAL::Simple_cartesian<double>;
+using Skeleton = CGAL::Curve_skeleton_3<Kernel>;
+
+Skeleton skeleton_of(const std::vector<Vector>& points)
+{
+  Skeleton skeleton;
+  REQUIRE(CGAL::extract_l1_medial_skeleton(shapes::to_points<Kernel>(points), skeleton));
+  return skeleton;
+}
+
 Graph_counts counts_of(const std::vector<Vector>& points)
 {
-  using Kernel = CGAL::Simple_cartesian<double>;
-  CGAL::Curve_skeleton_3<Kernel> skeleton;
-  REQUIRE(CGAL::extract_l1_medial_skeleton(shapes::to_points<Kernel>(points), skeleton));
-  return count_graph(skeleton);
+  return count_graph(skeleton_of(points));
 }
 
 using CGAL::Point_set_skeletonization_3::internal::Skeleton_graph;
@@ -91,7 +99,7 @@ TEST_CASE("Turns of a spring that nearly touch make no loops")
   }
 }
 
-TEST_CASE("A pipe is a loop, however wide its wall is")
+TEST_CASE("A pipe is a loop around its middle, however wide its wall is")
 {
   // Cut lengthwise, the wall is 13 times as wide as thick.
   const double outer = 1, inner = 0.7, length = 4;
@@ -111,10 +119,18 @@ TEST_CASE("A pipe is a loop, however wide its wall is")
       }
       points.push_back(radius * around(2 * shapes::pi * u) + z * Vector::UnitZ());
     }
-    const Graph_counts counts = counts_of(points);
+    const Skeleton skeleton = skeleton_of(points);
+    const Graph_counts counts = count_graph(skeleton);
     CHECK(counts.components == 1);
     CHECK(counts.cycles == 1);
     CHECK(counts.ends == 0);
+    for(const auto v : CGAL::make_range(vertices(skeleton))) {
+      const auto& p = skeleton[v].point;
+      const double radius = std::hypot(p.x(), p.y());
+      CHECK(inner < radius);
+      CHECK(radius < outer);
+      CHECK(std::abs(p.z() - length / 2) < outer - inner);
+    }
   }
 }
 

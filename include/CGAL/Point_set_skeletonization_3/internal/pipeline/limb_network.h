@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -88,6 +89,34 @@ inline std::vector<Local_separator> without_idle(std::vector<Local_separator> se
   return result;
 }
 
+/// Moves cross-sections whose middle is outside the shape, as that of a channel or of an arc of the
+/// wall of a pipe, to the nearest sample of their own that is inside. O(patches) at most.
+inline void move_inside(Surface_quotient& quotient, const Surface& surface, const Samples& samples,
+                        Concurrency concurrency)
+{
+  std::vector<std::size_t> cross_sections;
+  std::vector<Vector3> middles;
+  for(std::size_t v = 0; v < quotient.graph.vertices.size(); ++v)
+    if(quotient.graph.vertices[v].is_cross_section) {
+      cross_sections.push_back(v);
+      middles.push_back(quotient.graph.vertices[v].position);
+    }
+  const std::vector<double> winding_numbers =
+    surface.winding_number.at_places(middles, concurrency);
+  for(std::size_t k = 0; k < cross_sections.size(); ++k) {
+    if(winding_numbers[k] >= surface.options.least_inside)
+      continue;
+    double nearest = std::numeric_limits<double>::infinity();
+    for(std::size_t i : quotient.members[cross_sections[k]]) {
+      const double distance = (samples[i].position - middles[k]).norm();
+      if(distance < nearest && is_off_surface(samples[i], surface.patches[i])) {
+        nearest = distance;
+        quotient.graph.vertices[cross_sections[k]].position = samples[i].position;
+      }
+    }
+  }
+}
+
 /// Returns the network of limbs that separators cut a surface into. In a tree, separators mean
 /// nothing among scattered patches, and there are wave fronts instead. O(n log n) in practice.
 /// \param candidates from `separator_candidates()`
@@ -105,9 +134,11 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
                                     options.separators, concurrency),
                    is_scattered);
   const auto quotient_of = [&] {
-    return with_handle_fronts(
+    Surface_quotient quotient = with_handle_fronts(
       surface_quotient(surface.patches, samples, overlaps, separators, concurrency), separators,
       surface.patches, samples, overlaps.pairs());
+    move_inside(quotient, surface, samples, concurrency);
+    return quotient;
   };
   const auto with_loops_seen = [&](Surface_quotient quotient) {
     set_evidence(quotient, surface, samples, is_frame ? Strip::side : Strip::leaf, concurrency);
