@@ -231,9 +231,10 @@ private:
     const double half_width =
       (std::max)(graph_.vertices[v].resolution, options_.step * radius);
     // Points of the cross-section may belong to vertices further along the limb, not to other
-    // limbs; in a wide limb that the plane does not cut at a right angle, the further, the wider.
+    // limbs: within two radii, or, since a plane may cut a wide limb at an angle of up to 30 degrees
+    // to a cross-section, half as far along the curve as they are away from the vertex.
     constexpr double reach = 2; // radii
-    constexpr double slope = 0.5; // 30 degrees
+    constexpr double slope = 0.5;
     double widest = 0;
     std::vector<Eigen::Vector2d> result;
     visit_around(v, [&](std::size_t u, double way) {
