@@ -87,10 +87,12 @@ private:
     double length = this->length(), shortest = length; // the length is not monotonic
     for(int step = 0, stuck = 0; step < most_steps && stuck < patience; ++step) {
       drop_points(length);
-      shorten();
+      const bool moved = shorten();
       length = this->length();
       if(length < point)
         return true;
+      if(!moved)
+        break;
       stuck = length > slow * shortest ? stuck + 1 : 0;
       shortest = (std::min)(shortest, length);
     }
@@ -148,9 +150,10 @@ private:
   }
 
   /// Moves each point to the mean of the longest part of the curve around it that the solid
-  /// permits. A point at the boundary slides along it.
-  void shorten()
+  /// permits. A point at the boundary slides along it. Returns whether any point moved.
+  bool shorten()
   {
+    bool any_moved = false;
     for(std::size_t i = 0; i < size_; ++i) {
       std::array<Vector3, 4> means; // a quarter of the curve to either side, half of that, ...
       for(std::size_t k = 0; k < means.size(); ++k)
@@ -159,12 +162,13 @@ private:
       bool moved = false;
       for(std::size_t k = 0; k < 4 && !moved; ++k)
         moved = winding_numbers[k] >= half_inside && move(i, means[k]);
-      if(moved)
-        continue;
-      const Vector3 beside = means[3] + resolution_ / 2 * away_from_air(points_[i]);
-      if(winding_number_(beside) >= half_inside)
-        move(i, beside);
+      if(!moved) {
+        const Vector3 beside = means[3] + resolution_ / 2 * away_from_air(points_[i]);
+        moved = winding_number_(beside) >= half_inside && move(i, beside);
+      }
+      any_moved |= moved;
     }
+    return any_moved;
   }
 
   Vector3 mean_around(std::size_t i, std::size_t reach) const
