@@ -115,7 +115,7 @@ private:
       const Packet_vectors d = mean_.to(all_.tree_.positions()[other]);
       const Packet_values cosine = normal_.dot(normal);
       const Packet_values face = is_positive(all_.facing_ - cosine);
-      const Packet_values height = d.dot(normal).max(0); // at 0 its mean is as near as its disc
+      const Packet_values height = d.dot(normal).max(0); // 0 behind it, where its mean counts
       const Packet_values radius = height / (1 - cosine).max(1);
       const Packet_vectors away{radius * (normal.x() - normal_.x) - d.x,
                                 radius * (normal.y() - normal_.y) - d.y,
