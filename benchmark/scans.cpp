@@ -25,7 +25,10 @@ namespace scans {
 namespace {
 
 const std::vector<Variant> all_variants = {
-    {"clean", 0, 0, 0}, {"range_noise", 0.001, 0.5, 0}, {"drop_outs", 0, 0, 0.3}};
+    {"clean", 0, 0, 0, 1},
+    {"range_noise", 0.001, 0.5, 0, 1},
+    {"drop_outs", 0, 0, 0.3, 1},
+    {"few_beams", 0, 0, 0, 5}};
 
 /// Rows of a cloud, by every method. \param row what is known about the cloud
 std::vector<Row> rows_of(Row row, const Skeleton& reference, const std::vector<Point>& points,
@@ -120,7 +123,7 @@ std::vector<Job> chosen_jobs(const Quality_options& options)
 std::vector<shapes::Vector> points_of(const Job& job)
 {
   const shapes::Scan_options how = {job.size, job.places, job.variant.range_noise,
-                                    job.variant.mixed, job.variant.lost};
+                                    job.variant.mixed, job.variant.lost, job.variant.beams};
   return shapes::scan(shapes::scanned_shape(job.family, job.seed), how, job.seed).points;
 }
 

@@ -51,12 +51,13 @@ Depth_image image_of(const Known_shape& shape, const Vector& place, double pulse
 /// What the four rays of a pulse meet, nearest first.
 using Echoes = std::array<double, 4>;
 
-/// Calls `visit` with the middle of every pulse on the image that returns, and its echoes.
+/// Calls `visit` with the middle of every pulse on the image that returns, and its echoes. `beams`:
+/// distance of rows.
 template <typename Visit>
-void for_returns(const Depth_image& image, const Visit& visit)
+void for_returns(const Depth_image& image, int beams, const Visit& visit)
 {
   const auto even = [](int x) { return x - (x & 1); };
-  for(int y = even(image.begin().y()); y < image.end().y(); y += 2)
+  for(int y = even(image.begin().y()); y < image.end().y(); y += 2 * beams)
     for(int x = even(image.begin().x()); x < image.end().x(); x += 2) {
       Echoes echoes = {image.distance({x, y}), image.distance({x + 1, y}),
                        image.distance({x, y + 1}), image.distance({x + 1, y + 1})};
@@ -82,15 +83,15 @@ double mean_echo(const Echoes& echoes, double farthest)
 /// The angle between pulses for which about as many return as there shall be points: from few
 /// pulses, which are quick, to more.
 double step_for(const Known_shape& shape, const std::vector<Vector>& places,
-                std::size_t points)
+                const Scan_options& options)
 {
   double step = 0.01;
   for(const double share : {0.06, 0.25, 0.7, 1.0}) {
     double returns = 0;
     for(const Vector& place : places)
-      for_returns(image_of(shape, place, step),
+      for_returns(image_of(shape, place, step), options.beams,
                   [&](const Eigen::Array2d&, const Echoes&) { ++returns; });
-    step *= std::sqrt(returns / (share * static_cast<double>(points)));
+    step *= std::sqrt(returns / (share * static_cast<double>(options.points)));
   }
   return step;
 }
@@ -102,7 +103,7 @@ void add_returns(const Depth_image& image, double diagonal, double spacing,
   // Echoes that are further apart come from different surfaces: no surface is that steep.
   const double gap = 4 * spacing;
   Drop_outs drop_outs(options.lost);
-  for_returns(image, [&](const Eigen::Array2d& at, const Echoes& echoes) {
+  for_returns(image, options.beams, [&](const Eigen::Array2d& at, const Echoes& echoes) {
     const double mixed = random.uniform(), noise = random.normal();
     if(drop_outs.next(random))
       return;
@@ -121,7 +122,7 @@ Scan scan(const Known_shape& shape, const Scan_options& options, unsigned seed)
   const double diagonal = box.diagonal().norm();
   Scan scan;
   scan.places = scanner_places(box, options.places, random);
-  const double step = step_for(shape, scan.places, options.points);
+  const double step = step_for(shape, scan.places, options);
   scan.spacing = step * distance_of_places * diagonal;
   for(const Vector& place : scan.places)
     add_returns(image_of(shape, place, step), diagonal, scan.spacing, options,

@@ -19,13 +19,14 @@ struct Scan_options
   double range_noise = 0;     ///< standard deviation along the pulses, in diagonals
   double mixed = 0; ///< share of pulses on an edge that end between what is before and behind
   double lost = 0;  ///< share of pulses without a return
+  int beams = 1;    ///< distance of the rows of pulses, in pulses: few beams, one above the other
 };
 
 struct Scan
 {
   std::vector<Vector> points;
   std::vector<Vector> places; ///< of the scanner
-  double spacing = 0;         ///< of neighbouring pulses, in the middle of the shape
+  double spacing = 0; ///< of neighbouring pulses of a row, in the middle of the shape
 };
 
 /// A scan of a shape that stands upright along z. The same arguments give the same cloud.

@@ -257,4 +257,16 @@ TEST_CASE("Pulses are lost in runs")
         Approx((1 - share) * all).epsilon(0.1));
 }
 
+TEST_CASE("Of few beams as many points, in rows that are further apart than the points of a row")
+{
+  const Known_shape shape = scanned_shape("hand", seed);
+  Scan_options options = with_points(5000, 3);
+  const Scan even = scan(shape, options, seed);
+  options.beams = 4;
+  const Scan rows = scan(shape, options, seed);
+  CHECK(static_cast<double>(rows.points.size()) ==
+        Approx(static_cast<double>(even.points.size())).epsilon(0.1));
+  CHECK(rows.spacing == Approx(even.spacing / 2).epsilon(0.1));
+}
+
 } // namespace scanner_test

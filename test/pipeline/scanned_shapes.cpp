@@ -69,10 +69,10 @@ void check_inside(const Skeleton& skeleton, const shapes::Known_shape& shape)
 
 /// The counts of the skeleton of a scan without noise from some places.
 Graph_counts counts_of_scan(const shapes::Known_shape& shape, std::size_t size, int places,
-                            unsigned int seed)
+                            unsigned int seed, int beams = 1)
 {
   std::vector<Kernel::Point_3> points;
-  for(const shapes::Vector& p : shapes::scan(shape, {size, places, 0, 0, 0}, seed).points)
+  for(const shapes::Vector& p : shapes::scan(shape, {size, places, 0, 0, 0, beams}, seed).points)
     points.emplace_back(p.x(), p.y(), p.z());
   Skeleton skeleton;
   REQUIRE(CGAL::extract_l1_medial_skeleton(points, skeleton));
@@ -136,6 +136,18 @@ TEST_CASE("Wires go on behind others that hide them: a frame scanned from one pl
   const Graph_counts counts = counts_of_scan(frame, 20000, 1, seed);
   CHECK(counts.components == 1);
   CHECK(counts.cycles == frame.cycles);
+}
+
+TEST_CASE("Rows of points on a leaf are no twigs")
+{
+  const int beams = GENERATE(4, 8);
+  const unsigned int seed = GENERATE(2023u, 2024u); // 582 of 7 tips while rows were lines
+  CAPTURE(beams, seed);
+  const shapes::Known_shape plant = shapes::scanned_shape("leafy_plant", seed);
+  const Graph_counts counts = counts_of_scan(plant, 20000, 3, seed, beams);
+  CHECK(counts.cycles == 0);
+  CHECK(counts.ends >= plant.ends);
+  CHECK(counts.ends < 3 * plant.ends);
 }
 
 } // namespace scanned_shapes_test

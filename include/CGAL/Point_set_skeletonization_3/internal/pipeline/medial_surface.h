@@ -5,6 +5,7 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PIPELINE_MEDIAL_SURFACE_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/consolidation/consolidate.h>
+#include <CGAL/Point_set_skeletonization_3/internal/consolidation/merge_rows.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
@@ -60,7 +61,8 @@ inline Medial_surface medial_surface(const Gaussians& components, double cell_si
                                      Concurrency concurrency, const Progress& progress)
 {
   Consolidated_mixture consolidated =
-    consolidate(components, cell_size, options.consolidation, concurrency);
+    with_rows_merged(consolidate(components, cell_size, options.consolidation, concurrency),
+                     options.surface.flatness, concurrency);
   progress(0.4);
   Surface surface = surface_of(consolidated, options.surface, concurrency);
   progress(0.7);

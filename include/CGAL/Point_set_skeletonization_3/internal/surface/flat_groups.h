@@ -9,6 +9,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/principal_axes.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Cell_map.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Octree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_groups.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface_options.h>
 
@@ -25,28 +26,6 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// A cell of an octree, by the place of its lower corner in cells of the finest level.
-using Octree_place = std::array<std::uint32_t, 3>;
-
-/// Bits of a coordinate in a Morton code.
-constexpr int octree_bits = 21;
-
-/// Returns the Morton code of a place: cells of one octant are consecutive at every level.
-inline std::uint64_t morton_code(const Octree_place& place)
-{
-  std::uint64_t result = 0;
-  for(std::size_t axis = 0; axis < 3; ++axis) {
-    std::uint64_t bits = place[axis]; // spread so that two zeros follow each bit
-    bits = (bits | bits << 32) & 0x001F00000000FFFFu;
-    bits = (bits | bits << 16) & 0x001F0000FF0000FFu;
-    bits = (bits | bits << 8) & 0x100F00F00F00F00Fu;
-    bits = (bits | bits << 4) & 0x10C30C30C30C30C3u;
-    bits = (bits | bits << 2) & 0x1249249249249249u;
-    result |= bits << axis;
-  }
-  return result;
-}
-
 /// Merges the cells of an octree, from the finest level upwards, where they are one flat patch.
 ///
 /// Eight cells become their parent if none of them is divided, if the parent is flat, and if no
@@ -62,19 +41,9 @@ public:
   /// `cell_size` is the edge length of the finest cells. O(n log n).
   Flat_merging(const Gaussians& gaussians, double cell_size, const Surface_options& options,
                Concurrency concurrency)
-    : gaussians_(gaussians), cell_size_(cell_size), options_(options), concurrency_(concurrency),
-      level_of_(gaussians.size(), 0)
-  {
-    origin_ = gaussians.front().mean;
-    for(const Gaussian& g : gaussians)
-      origin_ = origin_.cwiseMin(g.mean);
-    // The corner of a cell of the grid, at any level.
-    origin_ = cell_size_ * ((origin_ / cell_size_).array().floor() - 1);
-    order_.reserve(gaussians.size());
-    for(std::size_t i = 0; i < gaussians.size(); ++i)
-      order_.emplace_back(morton_code(place_of(gaussians[i].mean)), i);
-    std::sort(order_.begin(), order_.end());
-  }
+    : gaussians_(gaussians), grid_(gaussians, cell_size), options_(options),
+      concurrency_(concurrency), order_(grid_.order(gaussians)), level_of_(gaussians.size(), 0)
+  {}
 
   Patch_groups run()
   {
@@ -102,21 +71,6 @@ private:
     bool is_whole = true;           ///< It is not divided itself.
   };
 
-  Octree_place place_of(const Vector3& p) const
-  {
-    Octree_place result;
-    for(std::size_t axis = 0; axis < 3; ++axis)
-      result[axis] = static_cast<std::uint32_t>((p - origin_)[static_cast<Eigen::Index>(axis)] /
-                                                cell_size_);
-    return result;
-  }
-
-  Vector3 center(const Octree_place& place, int level) const
-  {
-    return origin_ + std::ldexp(cell_size_, level) *
-                       (Vector3(place[0], place[1], place[2]) + Vector3::Constant(0.5));
-  }
-
   std::vector<Cell> finest_cells() const
   {
     std::vector<Cell> cells;
@@ -126,12 +80,12 @@ private:
       if(cells.empty() || cells.back().code != order_[k].first) {
         cells.emplace_back();
         cells.back().code = order_[k].first;
-        cells.back().place = place_of(g.mean);
+        cells.back().place = grid_.place_of(g.mean);
         cells.back().begin = k;
       }
       Cell& cell = cells.back();
       cell.end = k + 1;
-      cell.moments.add(g.weight, g.mean - center(cell.place, 0), g.covariance);
+      cell.moments.add(g.weight, g.mean - grid_.center(cell.place, 0), g.covariance);
     }
     return cells;
   }
@@ -153,7 +107,8 @@ private:
       parent.is_complete = parent.is_complete && child.is_whole;
       if(parent.is_complete)
         parent.moments.add(child.moments,
-                           center(child.place, level - 1) - center(parent.place, level));
+                           grid_.center(child.place, level - 1) -
+                             grid_.center(parent.place, level));
     }
     Cell_map<char> incomplete; // none at the first level, where cells are many
     for(const Cell& parent : parents)
@@ -171,7 +126,7 @@ private:
   /// Whether the variance across the cell is a small share of that of a cell filled with points.
   bool is_flat(const Cell& cell, int level) const
   {
-    const double size = std::ldexp(cell_size_, level);
+    const double size = grid_.cell_size(level);
     const Matrix3 covariance = cell.moments.gaussian(Vector3::Zero()).covariance;
     return principal_axes(covariance).variances[0] < options_.flatness * size * size / 12;
   }
@@ -204,19 +159,6 @@ private:
     return largest == &cell || is_narrow(largest->moments);
   }
 
-  /// Calls `visit(place)` for a cell and its 26 neighbours until it returns true; returns whether
-  /// it did.
-  template <typename Visit>
-  static bool visit_block(const Octree_place& place, const Visit& visit)
-  {
-    for(std::uint32_t x = place[0] - 1; x != place[0] + 2; ++x)
-      for(std::uint32_t y = place[1] - 1; y != place[1] + 2; ++y)
-        for(std::uint32_t z = place[2] - 1; z != place[2] + 2; ++z)
-          if(visit(Octree_place{{x, y, z}}))
-            return true;
-    return false;
-  }
-
   /// Whether one of the 26 neighbours of a cell is in a table.
   static bool touches_any(const Cell_map<char>& codes, const Octree_place& place)
   {
@@ -240,10 +182,9 @@ private:
   }
 
   const Gaussians& gaussians_;
-  double cell_size_;
+  Octree_grid grid_;
   const Surface_options& options_;
   Concurrency concurrency_;
-  Vector3 origin_;
   std::vector<std::pair<std::uint64_t, std::size_t>> order_; ///< Components in Morton order.
   std::vector<int> level_of_; ///< Level of the whole cell of a component, in Morton order.
 };
@@ -254,8 +195,7 @@ inline Patch_groups flat_groups(const Gaussians& gaussians, double cell_size,
                                 const Surface_options& options,
                                 Concurrency concurrency = Concurrency::sequential)
 {
-  constexpr double least_cell_size = 1.0 / (1 << (octree_bits - 2)); // bounding box diagonals
-  if(!(cell_size > least_cell_size))
+  if(!has_octree(cell_size))
     return Patch_groups(gaussians.size());
   return Flat_merging(gaussians, cell_size, options, concurrency).run();
 }

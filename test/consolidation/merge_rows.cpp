@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Rows of a sheet are merged into pieces as long as the rows are apart, and nothing else is.
+
+#include "catch2.h"
+#include "generator/Random.h"
+#include "threads.h"
+
+#include <CGAL/Point_set_skeletonization_3/internal/consolidation/merge_rows.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <numeric>
+#include <vector>
+
+using namespace CGAL::Point_set_skeletonization_3::internal;
+using shapes::Random;
+
+namespace merge_rows_test {
+
+constexpr unsigned seeds = 3;
+constexpr double spacing = 0.01, flatness = 0.02;
+
+/// A mixture of which nothing was moved.
+Consolidated_mixture mixture_of(const std::vector<Vector3>& places)
+{
+  Consolidated_mixture result;
+  for(const Vector3& p : places)
+    result.components.push_back({1, p, Matrix3::Zero()});
+  result.tree = Box_tree(places);
+  result.merged_into.resize(places.size());
+  std::iota(result.merged_into.begin(), result.merged_into.end(), std::size_t(0));
+  result.cell_size = spacing;
+  result.neighbors =
+    k_nearest_neighbors(result.tree, surface_neighbors + 1, Concurrency::sequential);
+  return result;
+}
+
+Consolidated_mixture merged(const std::vector<Vector3>& places,
+                            Concurrency concurrency = Concurrency::sequential)
+{
+  return with_rows_merged(mixture_of(places), flatness, concurrency);
+}
+
+/// Lines along a direction in the plane z = 0, `apart` spacings from each other.
+std::vector<Vector3> rows(int number, double apart, double angle, Random& random)
+{
+  const Vector3 along(std::cos(angle), std::sin(angle), 0), across(-along.y(), along.x(), 0);
+  std::vector<Vector3> result;
+  for(int row = 0; row < number; ++row)
+    for(int k = 0; k < 100; ++k)
+      result.push_back(spacing * ((k + random.uniform(-0.3, 0.3)) * along + row * apart * across));
+  return result;
+}
+
+TEST_CASE("Rows become pieces as long as they are apart, of one row each")
+{
+  for(unsigned seed = 0; seed < seeds; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const double apart = random.uniform(5, 9);
+    const std::vector<Vector3> places = rows(12, apart, random.uniform(0, 3), random);
+    const Consolidated_mixture result = merged(places);
+    // Cells are a power of two wide, and the borders of some cut off short pieces.
+    const double pieces = static_cast<double>(places.size()) / apart;
+    CHECK(static_cast<double>(result.components.size()) < 2 * pieces);
+    CHECK(static_cast<double>(result.components.size()) > pieces / 2);
+    double weight = 0;
+    std::vector<Vector3> sums(result.components.size(), Vector3::Zero());
+    for(std::size_t i = 0; i < places.size(); ++i) {
+      REQUIRE(result.merged_into[i] < sums.size());
+      sums[result.merged_into[i]] += places[i];
+      // A piece is in one row: none is further away than along it.
+      CHECK((places[i] - result.components[result.merged_into[i]].mean).norm() <
+            2 * apart * spacing);
+    }
+    for(std::size_t piece = 0; piece < sums.size(); ++piece) {
+      const Gaussian& component = result.components[piece];
+      weight += component.weight;
+      CHECK((sums[piece] / component.weight - component.mean).norm() < 1e-12);
+    }
+    CHECK(weight == static_cast<double>(places.size()));
+  }
+}
+
+TEST_CASE("A plane that is sampled evenly stays as it is, and so do two wires and a fork")
+{
+  for(unsigned seed = 0; seed < seeds; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    std::vector<Vector3> plane;
+    for(int k = 0; k < 3000; ++k)
+      plane.push_back(spacing * Vector3(random.uniform(0, 50), random.uniform(0, 50), 0));
+    CHECK(merged(plane).components.size() == plane.size());
+
+    const std::vector<Vector3> wires =
+      rows(2, random.uniform(4, 8), random.uniform(0, 3), random);
+    CHECK(merged(wires).components.size() == wires.size());
+
+    std::vector<Vector3> fork;
+    for(const double angle : {0.0, 1.7, 2.4, 4.0})
+      for(const Vector3& p : rows(1, 0, angle, random))
+        fork.push_back(p);
+    CHECK(merged(fork).components.size() == fork.size());
+  }
+}
+
+TEST_CASE("Merged rows do not depend on threads")
+{
+  Random random(7);
+  const std::vector<Vector3> places = rows(30, 6, 0.4, random);
+  const Consolidated_mixture one = merged(places);
+  REQUIRE(one.components.size() < places.size());
+  for_threads([&](Concurrency concurrency) {
+    CHECK(merged(places, concurrency).merged_into == one.merged_into);
+  });
+}
+
+} // namespace merge_rows_test
