@@ -73,6 +73,7 @@ public:
     for(std::size_t i = 0; i < inside.size(); ++i)
       if(inside[i] == 0)
         inside[i] = border[i];
+    balance(inside);
     return inside;
   }
 
@@ -159,6 +160,25 @@ private:
     bool result = false;
     visit_around(cells, c, [&](std::size_t d) { result = result || is_marked[d]; });
     return result;
+  }
+
+  /// Raises levels until those of neighbouring cells differ by one at most: patches that are much
+  /// smaller than their neighbours are not adjacent to them.
+  void balance(std::vector<int>& level_of) const
+  {
+    for(int level = *std::max_element(level_of.begin(), level_of.end()) - 1; level > 0; --level) {
+      const std::vector<Cell> cells = cells_of(level);
+      std::vector<char> is_wider(cells.size(), false);
+      const auto for_components = [&](std::size_t c, const auto& visit) {
+        for(std::size_t k = cells[c].begin; k < cells[c].end; ++k)
+          visit(level_of[order_[k].second]);
+      };
+      for(std::size_t c = 0; c < cells.size(); ++c)
+        for_components(c, [&](int other) { is_wider[c] = is_wider[c] || other > level; });
+      for(std::size_t c = 0; c < cells.size(); ++c)
+        if(is_wider[c] || any_around(cells, c, is_wider))
+          for_components(c, [&](int& own) { own = (std::max)(own, level); });
+    }
   }
 
   /// Which cells, with those around, have components as a line has: neighbourhoods are long, and
