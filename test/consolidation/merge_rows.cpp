@@ -8,7 +8,9 @@
 #include "threads.h"
 
 #include <CGAL/Point_set_skeletonization_3/internal/consolidation/merge_rows.h>
+#include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -104,6 +106,31 @@ TEST_CASE("A plane that is sampled evenly stays as it is, and so do two wires an
       for(const Vector3& p : rows(1, 0, angle, random))
         fork.push_back(p);
     CHECK(merged(fork).components.size() == fork.size());
+  }
+}
+
+TEST_CASE("Beside rows that are far apart, cells of an even part are wider, and narrower further on")
+{
+  for(unsigned seed = 0; seed < seeds; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    std::vector<Vector3> places;
+    for(int k = 0; k < 10000; ++k)
+      places.push_back(spacing * Vector3(random.uniform(-100, 0), random.uniform(0, 100), 0));
+    const double apart = 8;
+    for(const Vector3& p : rows(12, apart, CGAL_PI / 2, random)) // along y, towards smaller x
+      places.emplace_back(spacing - p.x(), p.y(), 0);
+    const Consolidated_mixture result = merged(places);
+    const auto share_left = [&](double begin, double end) { // of places between two x, in spacings
+      const auto is_between = [&](const Vector3& p) {
+        return p.x() >= spacing * begin && p.x() < spacing * end;
+      };
+      const std::vector<Vector3> left = means_of(result.components);
+      return double(std::count_if(left.begin(), left.end(), is_between)) /
+             double(std::count_if(places.begin(), places.end(), is_between));
+    };
+    CHECK(share_left(-2, 0) < 0.5);
+    CHECK(share_left(-100, -50) == 1);
   }
 }
 

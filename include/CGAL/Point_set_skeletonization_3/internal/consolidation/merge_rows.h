@@ -162,22 +162,22 @@ private:
     return result;
   }
 
-  /// Raises levels until those of neighbouring cells differ by one at most: patches that are much
-  /// smaller than their neighbours are not adjacent to them.
+  /// Raises levels until those of components in neighbouring cells differ by one at most: patches
+  /// that are much smaller than their neighbours are not adjacent to them.
   void balance(std::vector<int>& level_of) const
   {
-    for(int level = *std::max_element(level_of.begin(), level_of.end()) - 1; level > 0; --level) {
+    for(int level = *std::max_element(level_of.begin(), level_of.end()); level > 1; --level) {
       const std::vector<Cell> cells = cells_of(level);
-      std::vector<char> is_wider(cells.size(), false);
+      std::vector<char> is_whole(cells.size(), false);
       const auto for_components = [&](std::size_t c, const auto& visit) {
         for(std::size_t k = cells[c].begin; k < cells[c].end; ++k)
           visit(level_of[order_[k].second]);
       };
       for(std::size_t c = 0; c < cells.size(); ++c)
-        for_components(c, [&](int other) { is_wider[c] = is_wider[c] || other > level; });
+        for_components(c, [&](int other) { is_whole[c] = is_whole[c] || other >= level; });
       for(std::size_t c = 0; c < cells.size(); ++c)
-        if(is_wider[c] || any_around(cells, c, is_wider))
-          for_components(c, [&](int& own) { own = (std::max)(own, level); });
+        if(is_whole[c] || any_around(cells, c, is_whole))
+          for_components(c, [&](int& own) { own = (std::max)(own, level - 1); });
     }
   }
 
