@@ -144,12 +144,9 @@ private:
   static void visit_around(const std::vector<Cell>& cells, std::size_t c, const Visit& visit)
   {
     visit_block(cells[c].place, [&](const Octree_place& place) {
-      const std::uint64_t code = morton_code(place);
-      const auto found =
-        std::lower_bound(cells.begin(), cells.end(), code,
-                         [](const Cell& cell, std::uint64_t sought) { return cell.code < sought; });
-      if(found != cells.end() && found->code == code && &*found != &cells[c])
-        visit(static_cast<std::size_t>(found - cells.begin()));
+      const Cell* cell = cell_at(cells, place);
+      if(cell != nullptr && cell != &cells[c])
+        visit(static_cast<std::size_t>(cell - cells.data()));
       return false;
     });
   }

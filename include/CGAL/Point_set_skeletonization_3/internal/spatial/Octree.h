@@ -56,6 +56,18 @@ bool visit_block(const Octree_place& place, const Visit& visit)
   return false;
 }
 
+/// Returns the cell at a place; a null pointer if it is not there. O(log n).
+/// \param cells of one level, with their Morton codes as `code`, ascending
+template <typename Cell>
+const Cell* cell_at(const std::vector<Cell>& cells, const Octree_place& place)
+{
+  const std::uint64_t code = morton_code(place);
+  const auto found =
+    std::lower_bound(cells.begin(), cells.end(), code,
+                     [](const Cell& cell, std::uint64_t sought) { return cell.code < sought; });
+  return found != cells.end() && found->code == code ? &*found : nullptr;
+}
+
 /// The cells of an octree. Level 0 is the finest.
 class Octree_grid
 {

@@ -147,13 +147,9 @@ private:
       return false;
     const Cell* largest = &cell;
     visit_block(cell.place, [&](const Octree_place& place) {
-      const std::uint64_t code = morton_code(place);
-      const auto found = std::lower_bound(
-        cells.begin(), cells.end(), code,
-        [](const Cell& other, std::uint64_t sought) { return other.code < sought; });
-      if(found != cells.end() && found->code == code &&
-         found->moments.weight() > largest->moments.weight())
-        largest = &*found;
+      const Cell* other = cell_at(cells, place);
+      if(other != nullptr && other->moments.weight() > largest->moments.weight())
+        largest = other;
       return false;
     });
     return largest == &cell || is_narrow(largest->moments);
