@@ -11,6 +11,7 @@
 #include "reference.h"
 #include "to_points.h"
 
+#include "generator/clouds.h"
 #include "generator/scanned_families.h"
 #include "generator/scanner.h"
 
@@ -28,7 +29,8 @@ const std::vector<Variant> all_variants = {
     {"clean", 0, 0, 0, 1},
     {"range_noise", 0.001, 0.5, 0, 1},
     {"drop_outs", 0, 0, 0.3, 1},
-    {"few_beams", 0, 0, 0, 5}};
+    {"few_beams", 0, 0, 0, 5},
+    {"sampled", 0, 0, 0, 1, true}};
 
 /// Rows of a cloud, by every method. \param row what is known about the cloud
 std::vector<Row> rows_of(Row row, const Skeleton& reference, const std::vector<Point>& points,
@@ -122,9 +124,12 @@ std::vector<Job> chosen_jobs(const Quality_options& options)
 
 std::vector<shapes::Vector> points_of(const Job& job)
 {
+  const shapes::Known_shape shape = shapes::scanned_shape(job.family, job.seed);
+  if(job.variant.is_sampled) // where others are seen from other places, draws other points
+    return shapes::sample_all(shape, job.size, 10 * job.seed + static_cast<unsigned>(job.places));
   const shapes::Scan_options how = {job.size, job.places, job.variant.range_noise,
                                     job.variant.mixed, job.variant.lost, job.variant.beams};
-  return shapes::scan(shapes::scanned_shape(job.family, job.seed), how, job.seed).points;
+  return shapes::scan(shape, how, job.seed).points;
 }
 
 void run(const Quality_options& options)

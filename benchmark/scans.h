@@ -18,14 +18,16 @@ namespace scans {
 /// Prints the table and its summary. \throw std::runtime_error
 void run(const Quality_options& options);
 
-/// What a scanner does to the points. The noise is that of a cheap scanner, 2 mm on a plant of 2 m;
-/// nearly a third of the pulses is lost on dark or wet surfaces; rows of pulses of a scanner with
-/// few beams are several times as far apart as the pulses of a row.
+/// How a shape is scanned, or sampled at random from all sides. The noise is that of a cheap
+/// scanner, 2 mm on a plant of 2 m; nearly a third of the pulses is lost on dark or wet surfaces;
+/// rows of pulses of a scanner with few beams are several times as far apart as the pulses of a
+/// row.
 struct Variant
 {
   std::string name;
   double range_noise, mixed, lost;
   int beams; ///< distance of rows, in pulses
+  bool is_sampled = false;
 };
 
 /// A cloud to come.

@@ -157,6 +157,29 @@ TEST_CASE("Points far from all others are outliers")
   }
 }
 
+TEST_CASE("Twigs whose points are far apart are no outliers, points spread in space are")
+{
+  const bool is_twig = GENERATE(false, true);
+  for(unsigned seed = 0; seed < seeds; ++seed) {
+    CAPTURE(seed, is_twig);
+    Random random(seed);
+    Gaussians tree = components(2000, [&] { return random.direction(); });
+    const std::size_t first = tree.size();
+    constexpr double length = 3; // twenty points: about four spacings of the sphere apart
+    for(int k = 0; k < 20; ++k) {
+      const Vector3 place = length * Vector3(random.uniform(), random.uniform(), random.uniform());
+      tree.push_back({1, is_twig ? Vector3(1.1 + place.x(), 0.02 * place.y(), 0)
+                                 : Vector3(place + Vector3::Constant(1.2)),
+                      Matrix3::Zero()});
+    }
+    const Consolidated_mixture surface = consolidated(tree);
+    int dropped = 0;
+    for(std::size_t i = first; i < tree.size(); ++i)
+      dropped += is_outlier(surface, i) ? 1 : 0;
+    CHECK((is_twig ? dropped < 5 : dropped == 20));
+  }
+}
+
 TEST_CASE("Of what is kept, the components and their neighbours belong together")
 {
   for(const double sigma : {0.0, 0.03}) { // kept as they were, and moved

@@ -12,6 +12,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/handle_fronts.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/line_trees.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/stray_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/wave_fronts.h>
@@ -373,6 +374,34 @@ TEST_CASE("Wave fronts follow scattered points around a corner, where their midd
     length_of_path +=
       (fronts.vertices[e.first].position - fronts.vertices[e.second].position).norm();
   CHECK(length_of_path > 1.5 * (length - width));
+}
+
+TEST_CASE("Trees of lines have a vertex at each patch and close no cycle")
+{
+  for(const Tube& tube : {Tube{true, 30}, Tube{false, 30}}) {
+    const Patches patches = tube.patches();
+    const Surface_quotient quotient = quotient_of(tube, {4, 13, 22});
+    const auto with_trees = [&](const std::vector<bool>& is_on_line) {
+      return with_line_trees(quotient, patches, surfaces::samples_of(patches),
+                             adjacent_pairs(patches), is_on_line);
+    };
+    const Surface_quotient same = with_trees(std::vector<bool>(patches.size(), false));
+    CHECK(same.graph.edges == quotient.graph.edges);
+    // All pieces, or one of them: in a ring it is joined to the rest once.
+    std::vector<bool> one(patches.size(), false);
+    for(std::size_t i = 0; i < patches.size(); ++i)
+      one[i] = quotient.vertex_of_patch[i] == quotient.vertex_of_patch[tube.index(8, 0)];
+    for(const std::vector<bool>& is_on_line : {std::vector<bool>(patches.size(), true), one}) {
+      const Surface_quotient trees = with_trees(is_on_line);
+      CHECK(number_of_components(trees.graph) == 1);
+      CHECK(number_of_cycles(trees.graph) == 0);
+      for(std::size_t i = 0; i < patches.size(); ++i) {
+        const std::size_t v = trees.vertex_of_patch[i];
+        if(is_on_line[i] && is_piece(quotient.vertex_of_patch[i], quotient))
+          CHECK(trees.members[v] == std::vector<std::size_t>{i});
+      }
+    }
+  }
 }
 
 TEST_CASE("The middle of samples is not drawn away by one that went astray")

@@ -6,6 +6,8 @@
 
 #include "Random.h"
 
+#include <cmath>
+
 namespace shapes {
 
 /// A piece of a sheet, such as a leaf, that has two sides and no inside.
@@ -14,6 +16,15 @@ struct Triangle
   Vector a, b, c;
 
   Eigen::AlignedBox3d bounding_box() const { return Eigen::AlignedBox3d(a).extend(b).extend(c); }
+
+  double area() const { return (b - a).cross(c - a).norm() / 2; }
+
+  /// Uniform by area.
+  Vector random_point(Random& random) const
+  {
+    const double beside_a = std::sqrt(random.uniform()), towards_c = random.uniform();
+    return a + beside_a * ((b - a) + towards_c * (c - b));
+  }
 
   void rotate(const Eigen::Matrix3d& rotation)
   {

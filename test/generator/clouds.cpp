@@ -85,6 +85,27 @@ std::vector<Vector> sample_clean(const Known_shape& shape, std::size_t number_of
   return points;
 }
 
+std::vector<Vector> sample_all(const Known_shape& shape, std::size_t number_of_points,
+                               unsigned seed)
+{
+  Random random(seed);
+  const double area_of_solid = shape.solid.area(random);
+  std::vector<double> areas_up_to; // of the sheets
+  double area = 0;
+  for(const Triangle& triangle : shape.sheets)
+    areas_up_to.push_back(area += triangle.area());
+  std::vector<Vector> points(number_of_points);
+  for(Vector& p : points) {
+    const double part = random.uniform() * (area_of_solid + area);
+    const auto chosen = std::upper_bound(areas_up_to.begin(), areas_up_to.end(), part);
+    p = chosen == areas_up_to.end()
+          ? shape.solid.random_point(random)
+          : shape.sheets[static_cast<std::size_t>(chosen - areas_up_to.begin())].random_point(
+              random);
+  }
+  return points;
+}
+
 namespace {
 
 /// `noise`: standard deviation, in diagonals of the bounding box.

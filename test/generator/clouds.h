@@ -43,6 +43,12 @@ std::vector<Ball> random_holes(const Known_shape& shape, Random& random);
 std::vector<Vector> sample_clean(const Known_shape& shape, std::size_t number_of_points,
                                  Random& random);
 
+/// Points that are uniform by area, of the solid and the sheets: as of a mesh, seen from all sides.
+/// A limb that is thinner than the points are apart has them in a line, further apart.
+/// The same arguments give the same cloud.
+std::vector<Vector> sample_all(const Known_shape& shape, std::size_t number_of_points,
+                               unsigned seed);
+
 /// A raw point cloud of the surface, with exactly the number of points asked for. The same
 /// arguments give the same cloud.
 std::vector<Vector> sample(const Known_shape& shape, Variant variant, std::size_t number_of_points,

@@ -9,9 +9,11 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/quantile.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/straightness.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/merge_by_cell.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/K_nearest_neighbors.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Neighbor.h>
 
 #include <CGAL/assertions.h>
 
@@ -32,9 +34,9 @@ struct Consolidation_options
 {
   Noise_options noise;
 
-  /// Median spacings, > 1; a component whose fourth neighbour is further away is an outlier. On a
-  /// badly sampled shape the spacing varies by the square root of 8; outliers are spread in space,
-  /// not on a surface.
+  /// Median spacings, > 1; a component whose fourth neighbour is further away is an outlier, or on
+  /// a thin twig. On a badly sampled shape the spacing varies by the square root of 8; outliers are
+  /// spread in space, not on a surface.
   double isolated = 3;
 
   /// Share of the highest density nearby, in (0, 1), below which a component is dropped: the tail
@@ -114,7 +116,7 @@ public:
       nearest_(k_nearest_neighbors(tree_, surface_neighbors + 1, concurrency)),
       spacings_(spacings(nearest_)),
       spacing_(std::max(quantile(spacings_, 0.5), (std::numeric_limits<double>::min)())),
-      radii_(spacing_), moving_{mixture, means_of(mixture), isolated_components()},
+      radii_(spacing_), moving_{mixture, means_of(mixture), isolated_components(mixture)},
       is_on_line_(mixture.size(), false)
   {}
 
@@ -159,12 +161,41 @@ private:
     return result;
   }
 
-  std::vector<bool> isolated_components() const
+  /// Components far from all others are outliers; unless most of these are on lines: then they are
+  /// twigs thinner than the spacing, whose few points are further apart, and only those that are
+  /// not on lines are outliers.
+  std::vector<bool> isolated_components(const Gaussians& mixture) const
   {
     std::vector<bool> result(spacings_.size());
+    std::vector<std::size_t> far, on_lines;
     for(std::size_t i = 0; i < result.size(); ++i)
-      result[i] = spacings_[i] > options_.isolated * spacing_;
+      if(result[i] = spacings_[i] > options_.isolated * spacing_; result[i]) {
+        far.push_back(i);
+        if(is_on_lines(i, mixture))
+          on_lines.push_back(i);
+      }
+    if(2 * on_lines.size() > far.size())
+      for(std::size_t i : on_lines)
+        result[i] = false;
     return result;
+  }
+
+  /// Whether a component and those around are on lines. An outlier on its own is nobody's
+  /// neighbour, but straight with its own.
+  bool is_on_lines(std::size_t i, const Gaussians& mixture) const
+  {
+    std::size_t times = 0; // it is a neighbour
+    Straightness straightness;
+    for(const Neighbor& near : nearest_[i]) {
+      const auto around = nearest_[near.index];
+      times += std::any_of(around.begin(), around.end(),
+                           [&](const Neighbor& other) { return other.index == i; });
+      straightness.add(
+        are_straight((std::min)(places_of_line, nearest_.k()), [&](std::size_t k) -> Vector3 {
+          return mixture[around[static_cast<std::ptrdiff_t>(k)].index].mean - mixture[i].mean;
+        }));
+    }
+    return times > 1 && straightness.is_on_lines(); // its own neighbour it is always
   }
 
   Scale_space initial_scale_space() const

@@ -285,7 +285,8 @@ private:
       beyond.insert(beyond.end(), points.begin(), points.end());
       limb.push_back(v);
       if(graph_.vertices[v].is_cross_section && !points.empty())
-        result = (std::max)(result, slenderness(graph_.vertices[v].position, points, beyond));
+        result = (std::max)(result, slenderness(graph_.vertices[v].position, points, beyond,
+                                                least_width(v)));
     }
     const bool has_root = for_rings_ && !graph_.vertices[junction].is_cross_section &&
                           std::none_of(limb.begin(), limb.end(), [this](std::size_t v) {
@@ -303,17 +304,26 @@ private:
                  const Vector3 sum = std::accumulate(ring.begin(), ring.end(),
                                                      Vector3(Vector3::Zero()));
                  const Vector3 middle = sum / static_cast<double>(ring.size());
-                 result = (std::max)(result, slenderness(middle, ring, beyond));
+                 result = (std::max)(result, slenderness(middle, ring, beyond, 0));
                });
     return result;
   }
 
+  /// Half the width that a cross-section has at least. That of a line of points shows none: two
+  /// lines are told from one if they are as far apart as two points of a line, which is half the
+  /// distance to the fifth neighbour.
+  double least_width(std::size_t v) const
+  {
+    constexpr std::size_t fewest = 3; // around a limb
+    return surface_[v].size() < fewest ? graph_.vertices[v].resolution / 2 : 0;
+  }
+
   /// The ratio of the length beyond a ring to half its width. The ring is one of them.
   static double slenderness(const Vector3& middle, const std::vector<Vector3>& ring,
-                            const std::vector<Vector3>& beyond)
+                            const std::vector<Vector3>& beyond, double least_width)
   {
     const std::vector<double> around = distances(middle, ring);
-    const double width = *std::max_element(around.begin(), around.end());
+    const double width = (std::max)(least_width, *std::max_element(around.begin(), around.end()));
     // Without the furthest 5 %, at least two: outliers stick out of the surface.
     std::vector<double> length = distances(middle, beyond);
     const std::size_t last = length.size() - 1;

@@ -28,6 +28,13 @@ inline bool are_mostly(const std::vector<std::size_t>& members, const std::vecto
   return 2 * static_cast<std::size_t>(marked) > members.size();
 }
 
+/// Whether a vertex of a quotient is a piece with patches of its own.
+inline bool is_piece(std::size_t vertex, const Surface_quotient& quotient)
+{
+  return !quotient.graph.vertices[vertex].is_cross_section &&
+         quotient.vertex_of_patch[quotient.members[vertex].front()] == vertex;
+}
+
 /// Replaces pieces of a quotient by trees of wave fronts. Where points are scattered, as in a crown
 /// in leaf, nothing has a cross-section, and a piece may be a whole crown. A wave runs through the
 /// piece, from the side where the rest of the shape is longest. What it reaches at one time is a
@@ -50,13 +57,9 @@ public:
   /// called once. O(n log n).
   Surface_quotient with_fronts_of(const std::vector<bool>& is_marked, const Samples& samples)
   {
-    for(std::size_t v = 0; v < adjacency_.size(); ++v) {
-      const std::vector<std::size_t>& members = quotient_.members[v];
-      const bool is_piece = !quotient_.graph.vertices[v].is_cross_section &&
-                            quotient_.vertex_of_patch[members.front()] == v;
-      if(is_piece && are_mostly(members, is_marked))
+    for(std::size_t v = 0; v < adjacency_.size(); ++v)
+      if(is_piece(v, quotient_) && are_mostly(quotient_.members[v], is_marked))
         replace(v);
-    }
     return result_.take(patches_, samples);
   }
 

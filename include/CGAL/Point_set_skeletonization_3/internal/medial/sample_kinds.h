@@ -7,7 +7,9 @@
 #include <CGAL/Point_set_skeletonization_3/Medial_sample_kind.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/principal_axes.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/straightness.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
 #include <algorithm>
@@ -43,16 +45,24 @@ struct Dimensionality
   }
 };
 
+/// Calls `visit(k)` for each patch around patch `i`, with it.
+template <typename Visit>
+void visit_surroundings(const Surface& surface, std::size_t i, const Visit& visit)
+{
+  constexpr double reach = 3; // spacings: about 30 patches of a sheet, 6 of a line
+  const Patch& patch = surface.patches[i];
+  surface.tree.visit_within(patch.mean, reach * patch.spacing,
+                            [&](std::size_t k, double) { visit(surface.tree.order()[k]); });
+}
+
 /// Returns what the patches around patch `i` are like. O(patches around).
 inline Dimensionality dimensionality_around(const Surface& surface, std::size_t i)
 {
-  constexpr double reach = 3; // spacings: about 30 patches of a sheet, 6 of a line
   const Patch& patch = surface.patches[i];
   Vector3 sum = Vector3::Zero();
   Matrix3 products = Matrix3::Zero();
   double number = 0, components = 0;
-  surface.tree.visit_within(patch.mean, reach * patch.spacing, [&](std::size_t k, double) {
-    const std::size_t other = surface.tree.order()[k];
+  visit_surroundings(surface, i, [&](std::size_t other) {
     const Vector3 offset = surface.patches[other].mean - patch.mean;
     sum += offset;
     products += surface.gaussians[other].covariance + offset * offset.transpose();
@@ -79,13 +89,48 @@ inline std::vector<Medial_sample_kind> sample_kinds(const Surface& surface, cons
   return result;
 }
 
-/// Whether each patch is clearly among scattered ones, and its other side was not seen. O(n log n).
-inline std::vector<bool> scattered_patches(const Surface& surface, const Samples& samples)
+/// Whether a patch and the nearest of those adjacent to it are straight.
+inline bool is_straight(const Patches& patches, std::size_t i)
 {
-  std::vector<bool> result;
-  for(std::size_t i = 0; i < samples.size(); ++i)
-    result.push_back(!is_off_surface(samples[i], surface.patches[i]) &&
-                     dimensionality_around(surface, i).is_clearly_scattered());
+  std::vector<Vector3> near{Vector3::Zero()};
+  for(std::size_t j : patches[i].neighbors)
+    near.push_back(patches[j].mean - patches[i].mean);
+  const std::size_t number = (std::min)(places_of_line, near.size());
+  const auto is_nearer = [](const Vector3& p, const Vector3& q) {
+    return p.squaredNorm() < q.squaredNorm();
+  };
+  std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(number), near.end(),
+                    is_nearer);
+  return are_straight(number, [&](std::size_t k) -> const Vector3& { return near[k]; });
+}
+
+/// What the patches are among whose other side was not seen; neither of these is a sheet.
+struct Unresolved_patches
+{
+  std::vector<bool> is_on_line;   ///< Points of twigs, however close the next twig is.
+  std::vector<bool> is_scattered; ///< As the leaves of a crown.
+};
+
+/// Returns what each patch is among. From afar many twigs are scattered, therefore the nearest
+/// neighbours are looked at first. O(n log n).
+inline Unresolved_patches unresolved_patches(const Surface& surface, const Samples& samples)
+{
+  const Patches& patches = surface.patches;
+  Unresolved_patches result{std::vector<bool>(patches.size(), false),
+                            std::vector<bool>(patches.size(), false)};
+  std::vector<char> straight; // few shapes need it
+  for(std::size_t i = 0; i < patches.size(); ++i) {
+    if(is_off_surface(samples[i], patches[i]))
+      continue;
+    for(std::size_t k = straight.size(); k < patches.size(); ++k)
+      straight.push_back(is_straight(patches, k));
+    Straightness straightness;
+    visit_surroundings(surface, i, [&](std::size_t k) { straightness.add(straight[k]); });
+    const Dimensionality around = dimensionality_around(surface, i);
+    const bool is_on_lines = straightness.is_on_lines();
+    result.is_on_line[i] = is_on_lines && around.kind() != Medial_sample_kind::sheet;
+    result.is_scattered[i] = !is_on_lines && around.is_clearly_scattered();
+  }
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_evidence.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/handle_fronts.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/limb_evidence.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/line_trees.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/loose_ends.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/open_loops.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
@@ -118,7 +119,8 @@ inline void move_inside(Surface_quotient& quotient, const Surface& surface, cons
 }
 
 /// Returns the network of limbs that separators cut a surface into. In a tree, separators mean
-/// nothing among scattered patches, and there are wave fronts instead. O(n log n) in practice.
+/// nothing among scattered patches and on lines of points: there are wave fronts and spanning trees
+/// instead. O(n log n) in practice.
 /// \param candidates from `separator_candidates()`
 inline Limb_network limb_network(const Surface& surface, const Samples& samples,
                                  const Ball_overlaps& overlaps,
@@ -127,12 +129,16 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
                                  Concurrency concurrency)
 {
   const bool is_frame = reading == Limb_reading::frame;
-  const std::vector<bool> is_scattered =
-    is_frame ? std::vector<bool>(samples.size(), false) : scattered_patches(surface, samples);
+  const std::vector<bool> none(samples.size(), false);
+  const Unresolved_patches unresolved =
+    is_frame ? Unresolved_patches{none, none} : unresolved_patches(surface, samples);
+  std::vector<bool> has_no_rings = unresolved.is_scattered;
+  for(std::size_t i = 0; i < has_no_rings.size(); ++i)
+    has_no_rings[i] = has_no_rings[i] || unresolved.is_on_line[i];
   std::vector<Local_separator> separators =
     without_marked(local_separators(candidates, surface, samples, overlaps, !is_frame,
                                     options.separators, concurrency),
-                   is_scattered);
+                   has_no_rings);
   const auto quotient_of = [&] {
     Surface_quotient quotient = with_handle_fronts(
       surface_quotient(surface.patches, samples, overlaps, separators, concurrency), separators,
@@ -154,8 +160,10 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
     quotient = quotient_of();
   }
   Limb_network result;
-  result.quotient = with_loops_seen(with_wave_fronts(
-    std::move(quotient), surface.patches, samples, overlaps.pairs(), is_scattered));
+  quotient = with_wave_fronts(std::move(quotient), surface.patches, samples, overlaps.pairs(),
+                              unresolved.is_scattered);
+  result.quotient = with_loops_seen(with_line_trees(
+    std::move(quotient), surface.patches, samples, overlaps.pairs(), unresolved.is_on_line));
   result.pruned = prune(result.quotient, surface.patches, overlaps.pairs(), surface.components,
                         surface.groups, options.curve);
   return result;
