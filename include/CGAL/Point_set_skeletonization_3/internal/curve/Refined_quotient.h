@@ -39,10 +39,12 @@ public:
 
   std::size_t number_of_vertices() const { return members_.size(); }
 
-  /// Adds a front without patches; returns its vertex.
-  std::size_t add_front()
+  /// Adds a front without patches; returns its vertex. It is a cross-section, unless it is what is
+  /// left of a piece.
+  std::size_t add_front(bool is_cross_section = true)
   {
     members_.emplace_back();
+    is_front_cross_section_.push_back(is_cross_section);
     return members_.size() - 1;
   }
 
@@ -76,7 +78,9 @@ public:
       result.graph.vertices.push_back(
         is_front ? middle(members_[v], patches, samples, Average::mean)
                  : quotient_.graph.vertices[v]);
-      result.graph.vertices.back().is_cross_section |= is_front;
+      if(is_front)
+        result.graph.vertices.back().is_cross_section =
+          is_front_cross_section_[v - is_removed_.size()];
       result.members.push_back(std::move(members_[v]));
     }
     for(const Skeleton_graph::Edge& e : edges_)
@@ -93,6 +97,7 @@ private:
   std::vector<std::vector<std::size_t>> members_;
   std::vector<std::size_t> vertex_of_patch_;
   std::vector<bool> is_removed_; ///< Of the vertices of the quotient only.
+  std::vector<bool> is_front_cross_section_; ///< Of the fronts only.
   std::vector<Skeleton_graph::Edge> edges_; ///< New ones.
 };
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/minimum_spanning_forest.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/straightness.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Refined_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/wave_fronts.h>
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -35,11 +37,114 @@ struct Patch_link
   }
 };
 
-/// Part 3b: replaces the pieces of a quotient that are mostly of patches on lines by trees of their
-/// patches. Twigs of single points have no ring around them that a separator could be, and where
-/// their points are further apart than the twigs, all of them are one piece. What runs through such
-/// points is their minimum spanning tree, joined to the limbs around where it touches them. Since
-/// nothing was seen of these twigs from all sides, they close no cycle. O(n log n).
+/// Divides pieces of a quotient into patches that are on lines and what is left.
+class Line_trees
+{
+public:
+  /// Refers to all arguments. O(n).
+  Line_trees(const Surface_quotient& quotient, const Patches& patches,
+             const std::vector<Patch_pair>& pairs, const std::vector<bool>& is_on_line)
+    : quotient_(quotient), patches_(patches), pairs_(pairs),
+      is_replaced_(on_lines_of_pieces(is_on_line)),
+      is_divided_(quotient.members.size(), false), result_(quotient)
+  {
+    for(std::size_t i = 0; i < patches.size(); ++i)
+      if(is_replaced_[i])
+        is_divided_[quotient.vertex_of_patch[i]] = true;
+  }
+
+  /// Returns the quotient with trees of the patches on lines. To be called once. O(n log n).
+  Surface_quotient run(const Samples& samples)
+  {
+    divide_pieces();
+    Union_find sets = with_edges_left();
+    std::vector<Patch_link> links;
+    for(const Patch_pair& pair : pairs_)
+      if(is_replaced_[pair.a] || is_replaced_[pair.b])
+        links.push_back({result_.vertex_of(pair.a), result_.vertex_of(pair.b),
+                         (patches_[pair.a].mean - patches_[pair.b].mean).norm()});
+    for(const Patch_link& link :
+        minimum_spanning_forest(sets, result_.number_of_vertices(), std::move(links)))
+      result_.add_edge(link.a, link.b);
+    return result_.take(patches_, samples);
+  }
+
+private:
+  /// Which patches of pieces are on lines, as many together as it takes to see a line: fewer are
+  /// straight by chance.
+  std::vector<bool> on_lines_of_pieces(const std::vector<bool>& is_on_line) const
+  {
+    Union_find lines(patches_.size());
+    for(const Patch_pair& pair : pairs_)
+      if(is_on_line[pair.a] && is_on_line[pair.b])
+        lines.join(pair.a, pair.b);
+    std::vector<std::size_t> size(patches_.size(), 0);
+    for(std::size_t i = 0; i < size.size(); ++i)
+      ++size[lines.find(i)];
+    std::vector<bool> result;
+    for(std::size_t i = 0; i < size.size(); ++i)
+      result.push_back(is_on_line[i] && size[lines.find(i)] >= places_of_line &&
+                       is_piece(quotient_.vertex_of_patch[i], quotient_));
+    return result;
+  }
+
+  /// Makes each patch on a line of a piece a vertex, and each connected part of what is left.
+  void divide_pieces()
+  {
+    Union_find left(patches_.size());
+    for(const Patch_pair& pair : pairs_)
+      if(quotient_.vertex_of_patch[pair.a] == quotient_.vertex_of_patch[pair.b] &&
+         !is_replaced_[pair.a] && !is_replaced_[pair.b])
+        left.join(pair.a, pair.b);
+    for(std::size_t v = 0; v < is_divided_.size(); ++v) {
+      if(!is_divided_[v])
+        continue;
+      result_.remove(v);
+      for(std::size_t i : quotient_.members[v]) // ascending; the root of a set is its smallest
+        if(is_replaced_[i] || left.find(i) == i)
+          result_.add_to_front(result_.add_front(is_replaced_[i]), i);
+        else
+          result_.add_to_front(result_.vertex_of(left.find(i)), i);
+    }
+  }
+
+  /// Adds the edges of pieces to what is left of them where that touches the neighbour. Returns the
+  /// vertices that are connected.
+  Union_find with_edges_left()
+  {
+    Union_find sets(result_.number_of_vertices());
+    std::set<Skeleton_graph::Edge> edges_of_divided, left;
+    for(const Skeleton_graph::Edge& e : quotient_.graph.edges)
+      if(is_divided_[e.first] || is_divided_[e.second])
+        edges_of_divided.insert(std::minmax(e.first, e.second));
+      else
+        sets.join(e.first, e.second);
+    for(const Patch_pair& pair : pairs_)
+      if(!is_replaced_[pair.a] && !is_replaced_[pair.b] &&
+         edges_of_divided.count(std::minmax(quotient_.vertex_of_patch[pair.a],
+                                            quotient_.vertex_of_patch[pair.b])) > 0)
+        left.insert(std::minmax(result_.vertex_of(pair.a), result_.vertex_of(pair.b)));
+    for(const Skeleton_graph::Edge& e : left) {
+      sets.join(e.first, e.second);
+      result_.add_edge(e.first, e.second);
+    }
+    return sets;
+  }
+
+  const Surface_quotient& quotient_;
+  const Patches& patches_;
+  const std::vector<Patch_pair>& pairs_;
+  std::vector<bool> is_replaced_; ///< Of each patch.
+  std::vector<bool> is_divided_;  ///< Of each vertex.
+  Refined_quotient result_;
+};
+
+/// Part 3b: replaces the patches of pieces that are on lines by trees. Twigs of single points have
+/// no ring around them that a separator could be, and where their points are further apart than the
+/// twigs, all of them are one piece, with the limb that they grow on. What runs through such points
+/// is their minimum spanning tree, joined to the limbs around, and to what is left of the piece,
+/// where it touches them. Nothing was seen of these twigs from all sides: they close no cycle.
+/// O(n log n).
 /// \param pairs adjacent patches, `Ball_overlaps::pairs()`
 /// \param is_on_line of each patch
 inline Surface_quotient with_line_trees(Surface_quotient quotient, const Patches& patches,
@@ -49,30 +154,7 @@ inline Surface_quotient with_line_trees(Surface_quotient quotient, const Patches
 {
   if(std::find(is_on_line.begin(), is_on_line.end(), true) == is_on_line.end())
     return quotient;
-  std::vector<bool> is_replaced;
-  for(std::size_t v = 0; v < quotient.members.size(); ++v)
-    is_replaced.push_back(is_piece(v, quotient) && are_mostly(quotient.members[v], is_on_line));
-  Refined_quotient refined(quotient);
-  for(std::size_t v = 0; v < is_replaced.size(); ++v)
-    if(is_replaced[v]) {
-      refined.remove(v);
-      for(std::size_t i : quotient.members[v])
-        refined.add_to_front(refined.add_front(), i);
-    }
-  std::vector<Patch_link> links;
-  for(const Patch_pair& pair : pairs)
-    if(is_replaced[quotient.vertex_of_patch[pair.a]] ||
-       is_replaced[quotient.vertex_of_patch[pair.b]])
-      links.push_back({refined.vertex_of(pair.a), refined.vertex_of(pair.b),
-                       (patches[pair.a].mean - patches[pair.b].mean).norm()});
-  Union_find sets(refined.number_of_vertices());
-  for(const Skeleton_graph::Edge& e : quotient.graph.edges)
-    if(!is_replaced[e.first] && !is_replaced[e.second])
-      sets.join(e.first, e.second);
-  for(const Patch_link& link :
-      minimum_spanning_forest(sets, refined.number_of_vertices(), std::move(links)))
-    refined.add_edge(link.a, link.b);
-  return refined.take(patches, samples);
+  return Line_trees(quotient, patches, pairs, is_on_line).run(samples);
 }
 
 } // namespace internal
