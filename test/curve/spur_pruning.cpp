@@ -200,6 +200,31 @@ TEST_CASE("A few points between two limbs are a part of a limb if these have no 
   CHECK_FALSE(is_kept(12));
 }
 
+TEST_CASE("A twig of single points is a limb if it is long compared with their distance")
+{
+  const auto is_kept = [](double step) {
+    Skeleton_graph graph; // a limb with rings of six points, and a twig in its middle
+    Points points;
+    constexpr std::size_t length = 13, joint = 6, twig = 8;
+    constexpr double spacing = 1, fifth_neighbor = 2.5;
+    for(std::size_t k = 0; k < length; ++k) {
+      graph.vertices.push_back({Vector3(static_cast<double>(k), 0, 0), 1, spacing, true});
+      points.emplace_back(6, graph.vertices.back().position + Vector3(0, 0, 0.5));
+      if(k > 0)
+        graph.edges.emplace_back(k - 1, k);
+    }
+    for(std::size_t k = 0; k < twig; ++k) {
+      const Vector3 place(joint, 1 + step * static_cast<double>(k), 0);
+      graph.vertices.push_back({place, 0, fifth_neighbor, true});
+      points.push_back({place});
+      graph.edges.emplace_back(k == 0 ? joint : length + k - 1, length + k);
+    }
+    return !Spur_pruning(graph, points, Curve_options()).spurs()[length + twig / 2];
+  };
+  CHECK(is_kept(1));
+  CHECK_FALSE(is_kept(0.1)); // all of them within half a spacing
+}
+
 TEST_CASE("A graph without edges has no spurs")
 {
   Skeleton_graph graph;

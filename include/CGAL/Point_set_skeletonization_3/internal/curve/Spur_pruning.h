@@ -310,12 +310,13 @@ private:
   }
 
   /// Half the width that a cross-section has at least. That of a line of points shows none: two
-  /// lines are told from one if they are as far apart as two points of a line, which is half the
-  /// distance to the fifth neighbour.
+  /// lines are told from one if they are as far apart as two points of a line, and the fifth
+  /// neighbour is two or three times as far.
   double least_width(std::size_t v) const
   {
-    constexpr std::size_t fewest = 3; // around a limb
-    return surface_[v].size() < fewest ? graph_.vertices[v].resolution / 2 : 0;
+    constexpr std::size_t fewest = 3;      // points around a limb
+    constexpr double half_a_spacing = 0.2; // in distances to the fifth neighbour
+    return surface_[v].size() < fewest ? half_a_spacing * graph_.vertices[v].resolution : 0;
   }
 
   /// The ratio of the length beyond a ring to half its width. The ring is one of them.
