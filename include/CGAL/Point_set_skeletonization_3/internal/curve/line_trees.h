@@ -7,6 +7,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/minimum_spanning_forest.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/straightness.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Bridge.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Refined_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/wave_fronts.h>
@@ -17,25 +18,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <set>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
-
-/// Two vertices of a quotient, by the shortest way between their patches.
-struct Patch_link
-{
-  std::size_t a, b;
-  double length;
-
-  bool operator<(const Patch_link& other) const
-  {
-    return std::tie(length, a, b) < std::tie(other.length, other.a, other.b);
-  }
-};
 
 /// Divides pieces of a quotient into patches that are on lines and what is left.
 class Line_trees
@@ -58,14 +46,14 @@ public:
   {
     divide_pieces();
     Union_find sets = with_edges_left();
-    std::vector<Patch_link> links;
+    std::vector<Bridge> bridges;
     for(const Patch_pair& pair : pairs_)
       if(is_replaced_[pair.a] || is_replaced_[pair.b])
-        links.push_back({result_.vertex_of(pair.a), result_.vertex_of(pair.b),
-                         (patches_[pair.a].mean - patches_[pair.b].mean).norm()});
-    for(const Patch_link& link :
-        minimum_spanning_forest(sets, result_.number_of_vertices(), std::move(links)))
-      result_.add_edge(link.a, link.b);
+        bridges.push_back({result_.vertex_of(pair.a), result_.vertex_of(pair.b),
+                           (patches_[pair.a].mean - patches_[pair.b].mean).norm()});
+    for(const Bridge& added :
+        minimum_spanning_forest(sets, result_.number_of_vertices(), std::move(bridges)))
+      result_.add_edge(added.a, added.b);
     return result_.take(patches_, samples);
   }
 

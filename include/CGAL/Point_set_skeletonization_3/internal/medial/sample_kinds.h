@@ -118,14 +118,19 @@ inline Unresolved_patches unresolved_patches(const Surface& surface, const Sampl
   const Patches& patches = surface.patches;
   Unresolved_patches result{std::vector<bool>(patches.size(), false),
                             std::vector<bool>(patches.size(), false)};
-  std::vector<char> straight; // few shapes need it
+  enum : char { unknown, straight, not_straight };
+  std::vector<char> seen(patches.size(), unknown); // few are looked at in most shapes
+  const auto is_straight_patch = [&](std::size_t k) {
+    if(seen[k] == unknown)
+      seen[k] = is_straight(patches, k) ? straight : not_straight;
+    return seen[k] == straight;
+  };
   for(std::size_t i = 0; i < patches.size(); ++i) {
     if(is_off_surface(samples[i], patches[i]))
       continue;
-    for(std::size_t k = straight.size(); k < patches.size(); ++k)
-      straight.push_back(is_straight(patches, k));
     Straightness straightness;
-    visit_surroundings(surface, i, [&](std::size_t k) { straightness.add(straight[k]); });
+    visit_surroundings(surface, i,
+                       [&](std::size_t k) { straightness.add(is_straight_patch(k)); });
     const Dimensionality around = dimensionality_around(surface, i);
     const bool is_on_lines = straightness.is_on_lines();
     result.is_on_line[i] = is_on_lines && around.kind() != Medial_sample_kind::sheet;
