@@ -10,7 +10,6 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Bridge.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Refined_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
-#include <CGAL/Point_set_skeletonization_3/internal/curve/wave_fronts.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>

@@ -153,6 +153,13 @@ patches_of_vertices(const std::vector<std::size_t>& vertex_of_patch, std::size_t
   return result;
 }
 
+/// Whether a vertex of a quotient is a piece with patches of its own.
+inline bool is_piece(std::size_t vertex, const Surface_quotient& quotient)
+{
+  return !quotient.graph.vertices[vertex].is_cross_section &&
+         quotient.vertex_of_patch[quotient.members[vertex].front()] == vertex;
+}
+
 /// How a middle is averaged.
 enum class Average
 {

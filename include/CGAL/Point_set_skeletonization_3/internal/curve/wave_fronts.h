@@ -28,13 +28,6 @@ inline bool are_mostly(const std::vector<std::size_t>& members, const std::vecto
   return 2 * static_cast<std::size_t>(marked) > members.size();
 }
 
-/// Whether a vertex of a quotient is a piece with patches of its own.
-inline bool is_piece(std::size_t vertex, const Surface_quotient& quotient)
-{
-  return !quotient.graph.vertices[vertex].is_cross_section &&
-         quotient.vertex_of_patch[quotient.members[vertex].front()] == vertex;
-}
-
 /// Replaces pieces of a quotient by trees of wave fronts. Where points are scattered, as in a crown
 /// in leaf, nothing has a cross-section, and a piece may be a whole crown. A wave runs through the
 /// piece, from the side where the rest of the shape is longest. What it reaches at one time is a
