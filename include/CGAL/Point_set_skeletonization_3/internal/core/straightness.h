@@ -29,7 +29,7 @@ bool are_straight(std::size_t number, const Place& place)
   Vector3 sum = Vector3::Zero();
   Matrix3 products = Matrix3::Zero();
   for(std::size_t k = 0; k < number; ++k) {
-    const Vector3 p = place(k);
+    const Vector3& p = place(k);
     sum += p;
     products += p * p.transpose();
   }
