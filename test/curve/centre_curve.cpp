@@ -428,6 +428,25 @@ TEST_CASE("Where nothing is known a curve stays")
   CHECK(none.graph.vertices.empty());
 }
 
+TEST_CASE("Points of lines stay, whatever is around them")
+{
+  constexpr double length = 10;
+  shapes::Random random(1);
+  Limb limb = curve(straight, length, false,
+                    [](double s) { return Vector3(0.5 * std::sin(3 * s), 0, 0); });
+  sample_tube(limb, straight, length, {}, random);
+  const std::size_t first = limb.graph.vertices.size() / 2;
+  std::vector<Vector3> before;
+  for(std::size_t v = 0; v < limb.graph.vertices.size(); ++v) {
+    limb.graph.vertices[v].is_on_line = v >= first;
+    limb.graph.vertices[v].open = 1;
+    before.push_back(limb.graph.vertices[v].position);
+  }
+  limb.centre();
+  for(std::size_t v = first + 1; v < before.size(); ++v) // the first is drawn by its neighbour
+    CHECK((limb.graph.vertices[v].position - before[v]).norm() < 1e-6);
+}
+
 TEST_CASE("Centring commutes with scaling")
 {
   constexpr double length = 20, scale = 1e-3;

@@ -210,6 +210,19 @@ TEST_CASE("Smoothing takes a zigzag off, keeps a bend, and moves no end or junct
       CHECK(row.vertices[v].position == squares(5).vertices[v].position);
 }
 
+TEST_CASE("Points of lines are not smoothed, and resampled vertices between them are on lines")
+{
+  Skeleton_graph zigzag = path(20, 1, [](double x) { return std::fmod(x, 2) - 0.5; });
+  for(std::size_t v = 5; v < 15; ++v)
+    zigzag.vertices[v].is_on_line = true;
+  Skeleton_graph graph = zigzag;
+  smooth(graph);
+  for(std::size_t v = 1; v + 1 < graph.vertices.size(); ++v)
+    CHECK((graph.vertices[v].position == zigzag.vertices[v].position) == (v >= 5 && v < 15));
+  for(const Skeleton_graph::Vertex& vertex : resampled(zigzag, every(0.1)).vertices)
+    CHECK(vertex.is_on_line == (vertex.position.x() >= 5 && vertex.position.x() <= 14));
+}
+
 TEST_CASE("A tip moves out until its ball reaches the end of the limb")
 {
   constexpr double radius = 1.5;

@@ -215,10 +215,11 @@ TEST_CASE("A torus is read as one oriented surface, by any number of threads")
   const Patches fine = estimate_patches(components, nearest, options, Concurrency::sequential);
   const Patch_groups groups(components.size());
   const Surface expected =
-    build_surface(components, tree, fine, groups, options, Concurrency::sequential);
+    build_surface(components, tree, fine, groups, false, options, Concurrency::sequential);
   const Patches right = surfaces::torus.patches();
   for_threads([&](Concurrency concurrency) {
-    const Surface surface = build_surface(components, tree, fine, groups, options, concurrency);
+    const Surface surface =
+      build_surface(components, tree, fine, groups, false, options, concurrency);
     CHECK(surface.confidence == expected.confidence);
     for(std::size_t i = 0; i < right.size(); ++i) {
       REQUIRE(surface.patches[i].normal == expected.patches[i].normal);

@@ -5,11 +5,11 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CONSOLIDATION_CONSOLIDATE_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/consolidation/Scale_space.h>
+#include <CGAL/Point_set_skeletonization_3/internal/consolidation/cloud_of_lines.h>
 #include <CGAL/Point_set_skeletonization_3/internal/consolidation/measure_noise.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/quantile.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/straightness.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/merge_by_cell.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/K_nearest_neighbors.h>
@@ -97,6 +97,7 @@ struct Consolidated_mixture
   std::vector<std::size_t> merged_into; ///< For each component before; `none` for outliers.
   double noise = 0;              ///< Strength of the noise removed, in [0, 1].
   double cell_size = 0;          ///< Edge length of the cells of the components; 0: no cells.
+  bool is_of_lines = false;      ///< See `is_cloud_of_lines()`; before anything was dropped.
   K_nearest_neighbors neighbors; ///< Of the components, each first itself, until they were used.
 };
 
@@ -105,7 +106,8 @@ struct Consolidated_mixture
 /// A component moves to the plane fitted in its window, or in a narrower one if the window contains
 /// a whole limb. In a limb as thin as the noise it moves to the local mean instead, but not along
 /// the limb (mean shift, Comaniciu and Meer 2002). What is a line of components in a narrow window
-/// stays where it is: a twig of a few points across is no noise. Without noise nothing moves.
+/// stays where it is: a twig of a few points across is no noise. Without noise, and in a cloud of
+/// lines, nothing moves.
 class Consolidation
 {
 public:
@@ -116,16 +118,21 @@ public:
       nearest_(k_nearest_neighbors(tree_, surface_neighbors + 1, concurrency)),
       spacings_(spacings(nearest_)),
       spacing_(std::max(quantile(spacings_, 0.5), (std::numeric_limits<double>::min)())),
+      is_of_lines_(is_cloud_of_lines(mixture, tree_, nearest_)),
       radii_(spacing_), moving_{mixture, means_of(mixture), isolated_components(mixture)},
       is_on_line_(mixture.size(), false)
   {}
 
-  /// Measures the noise. Returns the radius of the window that it needs; 0 if there is none, or if
-  /// the narrowest window does.
+  /// Measures the noise; there is none in a cloud of lines. Returns the radius of the window that
+  /// it needs; 0 if there is none, or if the narrowest window does.
   double measure()
   {
     space_.emplace(initial_scale_space());
     noise_ = measure_noise(*space_, moving_, nearest_, radii_, options_.noise, concurrency_);
+    if(is_of_lines_) { // what looks like noise is the distance of twigs
+      noise_.strength = 0;
+      noise_.size = 0;
+    }
     return noise_.strength > 0 && noise_.size > 0 ? radii_[noise_.size] : 0;
   }
 
@@ -151,19 +158,17 @@ public:
 private:
   static constexpr int most_passes = 4; // the first halves the noise, the last does little
 
-  /// Distance of each component to its fourth nearest neighbour.
   static std::vector<double> spacings(const K_nearest_neighbors& nearest)
   {
-    const auto fourth = static_cast<std::ptrdiff_t>(std::min<std::size_t>(4, nearest.k() - 1));
     std::vector<double> result;
     for(std::size_t i = 0; i < nearest.size(); ++i)
-      result.push_back(std::sqrt(nearest[i][fourth].squared_distance));
+      result.push_back(spacing_of(i, nearest));
     return result;
   }
 
-  /// Components far from all others are outliers; unless most of these are on lines: then they are
-  /// twigs thinner than the spacing, whose few points are further apart, and only those that are
-  /// not on lines are outliers.
+  /// Components far from all others are outliers; unless most of these are on lines, or the cloud
+  /// is one of lines: then they are twigs thinner than the spacing, whose few points are further
+  /// apart, and only those that are not on lines are outliers.
   std::vector<bool> isolated_components(const Gaussians& mixture) const
   {
     std::vector<bool> result(spacings_.size());
@@ -171,31 +176,19 @@ private:
     for(std::size_t i = 0; i < result.size(); ++i)
       if(result[i] = spacings_[i] > options_.isolated * spacing_; result[i]) {
         far.push_back(i);
-        if(is_on_lines(i, mixture))
+        if(is_on_lines(i, mixture, nearest_))
           on_lines.push_back(i);
       }
-    if(2 * on_lines.size() > far.size())
+    if(is_of_lines_ || 2 * on_lines.size() > far.size())
       for(std::size_t i : on_lines)
         result[i] = false;
     return result;
   }
 
-  /// Whether a component and those around are on lines. An outlier on its own is nobody's
-  /// neighbour, but straight with its own.
-  bool is_on_lines(std::size_t i, const Gaussians& mixture) const
+  /// Whether a component is on a line of a cloud of lines: it is no outlier, however sparse.
+  bool is_twig(std::size_t i, const Gaussians& mixture) const
   {
-    std::size_t times = 0; // it is a neighbour
-    Straightness straightness;
-    for(const Neighbor& near : nearest_[i]) {
-      const auto around = nearest_[near.index];
-      times += std::any_of(around.begin(), around.end(),
-                           [&](const Neighbor& other) { return other.index == i; });
-      straightness.add(
-        are_straight((std::min)(places_of_line, nearest_.k()), [&](std::size_t k) -> Vector3 {
-          return mixture[around[static_cast<std::ptrdiff_t>(k)].index].mean - mixture[i].mean;
-        }));
-    }
-    return times > 1 && straightness.is_on_lines(); // its own neighbour it is always
+    return is_of_lines_ && is_on_lines(i, mixture, nearest_);
   }
 
   Scale_space initial_scale_space() const
@@ -372,7 +365,7 @@ private:
 
   /// Drops components of low density near a dense surface, the tail of its noise, and returns them.
   /// A thin limb moves away from its tail and becomes dense: what is near is told by the places
-  /// before anything moved, and what has become denser itself is no tail.
+  /// before anything moved, and what has become denser itself is no tail. Neither are twigs.
   std::vector<std::size_t> drop_thin(const std::vector<double>& densities)
   {
     if(first_densities_.empty())
@@ -409,7 +402,7 @@ private:
     });
     std::vector<std::size_t> dropped;
     for(std::size_t i = 0; i < drop.size(); ++i)
-      if(drop[i]) {
+      if(drop[i] && !is_twig(i, moving_.mixture)) {
         moving_.is_outlier[i] = true;
         dropped.push_back(i);
       }
@@ -420,6 +413,7 @@ private:
   Consolidated_mixture kept(const Box_tree& tree, double cell_size)
   {
     Consolidated_mixture result;
+    result.is_of_lines = is_of_lines_;
     result.cell_size = cell_size;
     result.merged_into.assign(spacings_.size(), Consolidated_mixture::none);
     result.components.reserve(tree.order().size());
@@ -448,6 +442,7 @@ private:
       }
     const Merged_gaussians merged = merged_by_cell(points, cell_size);
     Consolidated_mixture result;
+    result.is_of_lines = is_of_lines_;
     result.noise = noise_.strength;
     result.cell_size = cell_size;
     result.components = merged.gaussians;
@@ -465,6 +460,7 @@ private:
   K_nearest_neighbors nearest_;
   std::vector<double> spacings_;
   double spacing_; ///< The median.
+  bool is_of_lines_;
   Window_radii radii_;
   Moving_mixture moving_;
   Noise noise_;

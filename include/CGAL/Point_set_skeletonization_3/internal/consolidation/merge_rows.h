@@ -253,8 +253,9 @@ private:
 };
 
 /// Returns a mixture in which the rows of a sheet are pieces that are about as long as the rows are
-/// apart, see `Row_levels`: so neighbours are as near along the rows as across. Nothing changes in
-/// a cloud without rows, or if the cells are too small for an octree. O(n log n).
+/// apart, see `Row_levels`: so neighbours are as near along the rows as across. What looked like a
+/// cloud of lines were rows. Nothing changes in a cloud without rows, or if the cells are too small
+/// for an octree. O(n log n).
 inline Consolidated_mixture with_rows_merged(Consolidated_mixture mixture, double flatness,
                                              Concurrency concurrency)
 {

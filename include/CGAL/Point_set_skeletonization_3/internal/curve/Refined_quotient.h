@@ -61,7 +61,8 @@ public:
   /// Removes a vertex of the quotient and its edges. \pre all its patches are in fronts at the end
   void remove(std::size_t vertex) { is_removed_[vertex] = true; }
 
-  /// Returns the result; `this` is empty then. O(n). \pre no front is empty
+  /// Returns the result, with the handles of which no vertex was removed; `this` is empty then.
+  /// Separators keep their numbers if none is removed. O(n). \pre no front is empty
   Surface_quotient take(const Patches& patches, const Samples& samples)
   {
     constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
@@ -85,6 +86,11 @@ public:
     }
     for(const Skeleton_graph::Edge& e : edges_)
       result.graph.edges.emplace_back(index[e.first], index[e.second]);
+    for(const Surface_quotient::Handle& handle : quotient_.handles)
+      if(index[handle.separator] != none && index[handle.piece] != none &&
+         index[handle.extra] != none)
+        result.handles.push_back(
+          {index[handle.separator], index[handle.piece], index[handle.extra]});
     for(std::size_t v : vertex_of_patch_)
       result.vertex_of_patch.push_back(index[v]);
     return result;

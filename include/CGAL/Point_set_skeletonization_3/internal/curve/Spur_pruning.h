@@ -310,12 +310,10 @@ private:
   }
 
   /// Half the width that a cross-section has at least. That of a line of points shows none: two
-  /// lines are told from one if they are as far apart as two points of a line, and the fifth
-  /// neighbour is two or three times as far.
+  /// lines are told from one if they are as far apart as two points of a line.
   double least_width(std::size_t v) const
   {
-    constexpr std::size_t fewest = 3;      // points around a limb
-    constexpr double half_a_spacing = 0.2; // in distances to the fifth neighbour
+    constexpr std::size_t fewest = 3; // points around a limb
     return surface_[v].size() < fewest ? half_a_spacing * graph_.vertices[v].resolution : 0;
   }
 

@@ -30,6 +30,7 @@ inline Skeleton_graph::Vertex between(const Skeleton_graph::Vertex& a,
           mean(a.radius, b.radius),
           mean(a.resolution, b.resolution),
           false,
+          a.is_on_line && b.is_on_line,
           mean(a.evidence, b.evidence),
           mean(a.open, b.open)};
 }

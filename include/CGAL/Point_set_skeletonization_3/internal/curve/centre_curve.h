@@ -143,6 +143,8 @@ private:
   Drawn drawn(std::size_t v) const
   {
     const Skeleton_graph::Vertex& vertex = graph_.vertices[v];
+    if(vertex.is_on_line)
+      return {vertex.position, start_[v].position, 1, least_spacing, false, 0};
     const double known = (std::max)(vertex.radius, vertex.resolution);
     const double radius = is_open(vertex) ? (std::max)(known, drawn_[v].radius) : known;
     const Piece piece = piece_around(v, radius);

@@ -110,7 +110,7 @@ public:
 
 private:
   /// Resamples to the steps that the options ask for, or longer ones (where points coincide): a
-  /// skeleton has no more vertices than samples.
+  /// skeleton has no more vertices than samples. On lines, steps are short: it turns at each point.
   void resample()
   {
     double length = 0;
@@ -118,7 +118,8 @@ private:
       length += (graph_.vertices[e.first].position - graph_.vertices[e.second].position).norm();
     const double least = length / static_cast<double>(samples_.size());
     graph_ = resampled(graph_, [&](const Skeleton_graph::Vertex& vertex) {
-      return (std::max)({least, vertex.resolution, options_.step * vertex.radius});
+      const double step = (std::max)(vertex.resolution, options_.step * vertex.radius);
+      return (std::max)(least, vertex.is_on_line ? half_a_spacing * step : step);
     });
   }
 

@@ -21,9 +21,9 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Smooths branches; tips and junctions stay. Alternates shrinking and slightly larger growing
-/// steps (Taubin 1995): bends stay, the zigzag between samples goes. A cycle of few vertices would
-/// shrink, and stays. O(n).
+/// Smooths branches; tips, junctions and points of lines stay. Alternates shrinking and slightly
+/// larger growing steps (Taubin 1995): bends stay, the zigzag between samples goes. A cycle of few
+/// vertices would shrink, and stays. O(n).
 inline void smooth(Skeleton_graph& graph)
 {
   constexpr int rounds = 10; // smooths over about three vertices to either side
@@ -32,7 +32,7 @@ inline void smooth(Skeleton_graph& graph)
   const auto adjacency = graph.adjacency();
   std::vector<bool> moves(graph.vertices.size());
   for(std::size_t v = 0; v < moves.size(); ++v)
-    moves[v] = adjacency[v].size() == 2;
+    moves[v] = adjacency[v].size() == 2 && !graph.vertices[v].is_on_line;
   for(const Branch& branch : branches(graph))
     if(is_closed(branch) && branch.size() <= fewest) // which names one vertex twice
       for(std::size_t v : branch)

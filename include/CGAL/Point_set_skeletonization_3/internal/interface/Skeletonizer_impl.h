@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_SKELETONIZER_IMPL_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_INTERFACE_SKELETONIZER_IMPL_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/consolidation/cloud_of_lines.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Normalization.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Normalized_points.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/Skeletonizer.h>
@@ -283,8 +284,10 @@ void Skeletonizer::set_samples(const Plain_samples& plain)
     build_surface(consolidated.components, consolidated.tree,
                   estimate_patches(consolidated.components, consolidated.neighbors, options,
                                    state.concurrency),
-                  Patch_groups(std::move(patch_of_component), samples.size()), options,
-                  state.concurrency);
+                  Patch_groups(std::move(patch_of_component), samples.size()),
+                  is_cloud_of_lines(consolidated.components, consolidated.tree,
+                                    consolidated.neighbors),
+                  options, state.concurrency);
   state.medial = Medial_surface{std::move(consolidated), std::move(surface), std::move(samples)};
 }
 

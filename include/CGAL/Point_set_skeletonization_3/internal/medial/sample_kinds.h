@@ -5,8 +5,8 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_SAMPLE_KINDS_H
 
 #include <CGAL/Point_set_skeletonization_3/Medial_sample_kind.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/Dimensionality.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/principal_axes.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/straightness.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
@@ -19,31 +19,6 @@
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
-
-/// How much some patches are like a line, a sheet, or scattered; together 1 (Demantke et al. 2011,
-/// from the standard deviations along the principal axes).
-struct Dimensionality
-{
-  double linearity = 0, planarity = 0, scattering = 0;
-  double patches = 0;    ///< How many.
-  double components = 0; ///< How many mixture components they are made of.
-
-  /// Whichever is greatest; they are a line or a sheet if it is more than what as few scattered
-  /// components show by chance.
-  Medial_sample_kind kind() const
-  {
-    if((std::max)(linearity, planarity) - anisotropy_by_chance(components) <= scattering)
-      return Medial_sample_kind::scatter;
-    return linearity > planarity ? Medial_sample_kind::line : Medial_sample_kind::sheet;
-  }
-
-  /// Whether they are scattered by more than what as few patches of a line or a sheet show by
-  /// chance: large flat patches are few.
-  bool is_clearly_scattered() const
-  {
-    return scattering - (std::max)(linearity, planarity) > anisotropy_by_chance(patches);
-  }
-};
 
 /// Calls `visit(k)` for each patch around patch `i`, with it.
 template <typename Visit>
@@ -70,12 +45,7 @@ inline Dimensionality dimensionality_around(const Surface& surface, std::size_t 
     components += static_cast<double>(surface.patches[other].components);
   });
   const Matrix3 covariance = products / number - sum * sum.transpose() / (number * number);
-  const Vector3 deviations = principal_axes(covariance).variances.cwiseSqrt(); // ascending
-  if(!(deviations[2] > 0))
-    return {0, 0, 0, number, components};
-  return {(deviations[2] - deviations[1]) / deviations[2],
-          (deviations[1] - deviations[0]) / deviations[2], deviations[0] / deviations[2],
-          number, components};
+  return dimensionality(covariance, number, components);
 }
 
 /// Returns what each sample is in the middle of. O(n log n).
@@ -89,21 +59,6 @@ inline std::vector<Medial_sample_kind> sample_kinds(const Surface& surface, cons
   return result;
 }
 
-/// Whether a patch and the nearest of those adjacent to it are straight.
-inline bool is_straight(const Patches& patches, std::size_t i)
-{
-  std::vector<Vector3> near{Vector3::Zero()};
-  for(std::size_t j : patches[i].neighbors)
-    near.push_back(patches[j].mean - patches[i].mean);
-  const std::size_t number = (std::min)(places_of_line, near.size());
-  const auto is_nearer = [](const Vector3& p, const Vector3& q) {
-    return p.squaredNorm() < q.squaredNorm();
-  };
-  std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(number), near.end(),
-                    is_nearer);
-  return are_straight(number, [&](std::size_t k) -> const Vector3& { return near[k]; });
-}
-
 /// What the patches are among whose other side was not seen; neither of these is a sheet.
 struct Unresolved_patches
 {
@@ -112,7 +67,8 @@ struct Unresolved_patches
 };
 
 /// Returns what each patch is among. From afar many twigs are scattered, therefore the nearest
-/// neighbours are looked at first. O(n log n).
+/// neighbours are looked at first; in a cloud of lines all that is in no sheet is on them.
+/// O(n log n).
 inline Unresolved_patches unresolved_patches(const Surface& surface, const Samples& samples)
 {
   const Patches& patches = surface.patches;
@@ -132,9 +88,12 @@ inline Unresolved_patches unresolved_patches(const Surface& surface, const Sampl
     visit_surroundings(surface, i,
                        [&](std::size_t k) { straightness.add(is_straight_patch(k)); });
     const Dimensionality around = dimensionality_around(surface, i);
+    const bool is_in_sheet = around.kind() == Medial_sample_kind::sheet;
     const bool is_on_lines = straightness.is_on_lines();
-    result.is_on_line[i] = is_on_lines && around.kind() != Medial_sample_kind::sheet;
-    result.is_scattered[i] = !is_on_lines && around.is_clearly_scattered();
+    result.is_on_line[i] = surface.is_of_lines ? is_on_lines || !is_in_sheet
+                                               : is_on_lines && !is_in_sheet;
+    result.is_scattered[i] =
+      !surface.is_of_lines && !is_on_lines && around.is_clearly_scattered();
   }
   return result;
 }

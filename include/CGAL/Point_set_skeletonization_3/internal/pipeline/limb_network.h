@@ -118,6 +118,17 @@ inline void move_inside(Surface_quotient& quotient, const Surface& surface, cons
   }
 }
 
+/// Marks the vertices that are one patch on a line. In a cloud of lines these are points of twigs,
+/// and no average of sparse points is a better place; elsewhere they may be leaves. O(n).
+inline void mark_points_of_lines(Surface_quotient& quotient, const std::vector<bool>& is_on_line)
+{
+  for(std::size_t v = 0; v < quotient.members.size(); ++v) {
+    const std::vector<std::size_t>& members = quotient.members[v];
+    quotient.graph.vertices[v].is_on_line = quotient.graph.vertices[v].is_cross_section &&
+                                            members.size() == 1 && is_on_line[members.front()];
+  }
+}
+
 /// Returns the network of limbs that separators cut a surface into. In a tree, separators mean
 /// nothing among scattered patches and on lines of points: there are wave fronts and spanning trees
 /// instead. O(n log n) in practice.
@@ -140,9 +151,13 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
                                     options.separators, concurrency),
                    has_no_rings);
   const auto quotient_of = [&] {
-    Surface_quotient quotient = with_handle_fronts(
-      surface_quotient(surface.patches, samples, overlaps, separators, concurrency), separators,
-      surface.patches, samples, overlaps.pairs());
+    Surface_quotient quotient = with_line_trees(
+      surface_quotient(surface.patches, samples, overlaps, separators, concurrency),
+      surface.patches, samples, overlaps.pairs(), unresolved.is_on_line);
+    if(surface.is_of_lines)
+      mark_points_of_lines(quotient, unresolved.is_on_line);
+    quotient = with_handle_fronts(std::move(quotient), separators, surface.patches, samples,
+                                  overlaps.pairs());
     move_inside(quotient, surface, samples, concurrency);
     return quotient;
   };
@@ -160,10 +175,9 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
     quotient = quotient_of();
   }
   Limb_network result;
-  quotient = with_wave_fronts(std::move(quotient), surface.patches, samples, overlaps.pairs(),
-                              unresolved.is_scattered);
-  result.quotient = with_loops_seen(with_line_trees(
-    std::move(quotient), surface.patches, samples, overlaps.pairs(), unresolved.is_on_line));
+  result.quotient =
+    with_loops_seen(with_wave_fronts(std::move(quotient), surface.patches, samples,
+                                     overlaps.pairs(), unresolved.is_scattered));
   result.pruned = prune(result.quotient, surface.patches, overlaps.pairs(), surface.components,
                         surface.groups, options.curve);
   return result;

@@ -38,13 +38,14 @@ struct Surface
   std::vector<Vector3> components; ///< Their positions.
   Box_tree component_tree;         ///< Over these.
   Patch_groups groups;             ///< The components of each patch.
+  bool is_of_lines = false;        ///< See `is_cloud_of_lines()`.
 };
 
 /// Part 2b: returns the oriented surface of a mixture. `component_tree` is over its means, `fine`
 /// are the patches of its components, from `estimate_patches()`; those of a group become one patch.
 /// O(n log n). \pre there is a component, and no group is empty
 inline Surface build_surface(const Gaussians& components, const Box_tree& component_tree,
-                             const Patches& fine, Patch_groups groups,
+                             const Patches& fine, Patch_groups groups, bool is_of_lines,
                              const Surface_options& options, Concurrency concurrency)
 {
   options.check();
@@ -65,7 +66,8 @@ inline Surface build_surface(const Gaussians& components, const Box_tree& compon
           std::move(visible),
           means_of(components),
           component_tree,
-          std::move(groups)};
+          std::move(groups),
+          is_of_lines};
 }
 
 } // namespace internal
