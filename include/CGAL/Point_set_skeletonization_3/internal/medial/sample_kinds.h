@@ -67,8 +67,8 @@ struct Unresolved_patches
 };
 
 /// Returns what each patch is among. From afar many twigs are scattered, therefore the nearest
-/// neighbours are looked at first; in a cloud of lines all that is in no sheet is on them.
-/// O(n log n).
+/// neighbours are looked at first; a sheet that is made of lines is one of twigs in a cloud of
+/// lines, and of leaves elsewhere. O(n log n).
 inline Unresolved_patches unresolved_patches(const Surface& surface, const Samples& samples)
 {
   const Patches& patches = surface.patches;
@@ -88,12 +88,10 @@ inline Unresolved_patches unresolved_patches(const Surface& surface, const Sampl
     visit_surroundings(surface, i,
                        [&](std::size_t k) { straightness.add(is_straight_patch(k)); });
     const Dimensionality around = dimensionality_around(surface, i);
-    const bool is_in_sheet = around.kind() == Medial_sample_kind::sheet;
     const bool is_on_lines = straightness.is_on_lines();
-    result.is_on_line[i] = surface.is_of_lines ? is_on_lines || !is_in_sheet
-                                               : is_on_lines && !is_in_sheet;
-    result.is_scattered[i] =
-      !surface.is_of_lines && !is_on_lines && around.is_clearly_scattered();
+    result.is_on_line[i] =
+      is_on_lines && (surface.is_of_lines || around.kind() != Medial_sample_kind::sheet);
+    result.is_scattered[i] = !is_on_lines && around.is_clearly_scattered();
   }
   return result;
 }
