@@ -150,12 +150,17 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
     without_marked(local_separators(candidates, surface, samples, overlaps, !is_frame,
                                     options.separators, concurrency),
                    has_no_rings);
+  const auto with_twigs = [&](Surface_quotient quotient) {
+    return with_line_trees(std::move(quotient), surface.patches, samples, overlaps.pairs(),
+                           unresolved.is_on_line);
+  };
   const auto quotient_of = [&] {
-    Surface_quotient quotient = with_line_trees(
-      surface_quotient(surface.patches, samples, overlaps, separators, concurrency),
-      surface.patches, samples, overlaps.pairs(), unresolved.is_on_line);
-    if(surface.is_of_lines)
+    Surface_quotient quotient =
+      surface_quotient(surface.patches, samples, overlaps, separators, concurrency);
+    if(surface.is_of_lines) { // before fronts around a handle gather twigs
+      quotient = with_twigs(std::move(quotient));
       mark_points_of_lines(quotient, unresolved.is_on_line);
+    }
     quotient = with_handle_fronts(std::move(quotient), separators, surface.patches, samples,
                                   overlaps.pairs());
     move_inside(quotient, surface, samples, concurrency);
@@ -175,9 +180,10 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
     quotient = quotient_of();
   }
   Limb_network result;
+  quotient = with_wave_fronts(std::move(quotient), surface.patches, samples, overlaps.pairs(),
+                              unresolved.is_scattered);
   result.quotient =
-    with_loops_seen(with_wave_fronts(std::move(quotient), surface.patches, samples,
-                                     overlaps.pairs(), unresolved.is_scattered));
+    with_loops_seen(surface.is_of_lines ? std::move(quotient) : with_twigs(std::move(quotient)));
   result.pruned = prune(result.quotient, surface.patches, overlaps.pairs(), surface.components,
                         surface.groups, options.curve);
   return result;
