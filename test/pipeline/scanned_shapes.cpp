@@ -161,15 +161,17 @@ TEST_CASE("Twigs of a few points across are no noise: most tips of a sparse scan
 
 TEST_CASE("Twigs of single points, further apart than the twigs, are found in a sparse sample")
 {
-  const unsigned int seed = GENERATE(2021u, 2024u); // 0.38 and 0.41 while they were outliers, or
-  CAPTURE(seed);                                    // one piece without a cross-section
+  // Found 0.38 and 0.41 of while they were outliers, or one piece without a cross-section; 0.63
+  // and 0.64 while their patches were merged and they were drawn together as noise is.
+  const unsigned int seed = GENERATE(2021u, 2024u);
+  CAPTURE(seed);
   const shapes::Known_shape tree = shapes::scanned_shape("tree", seed);
   const auto points = to_points(shapes::sample_all(tree, 1000, seed));
   const Skeleton skeleton = skeleton_of(points);
   const Graph_counts counts = count_graph(skeleton);
   CHECK(counts.components == 1);
   CHECK(counts.cycles == 0);
-  CHECK(share_found(tree, skeleton, points) > 0.45);
+  CHECK(share_found(tree, skeleton, points) > 0.68);
 }
 
 TEST_CASE("Wires go on behind others that hide them: a frame scanned from one place has its loops")
