@@ -10,6 +10,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Refined_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/handle_fronts.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/line_trees.h>
@@ -263,6 +264,25 @@ TEST_CASE("Fronts lead around a handle that one ring cuts")
   }
   CHECK(quotient_of(torus, {5, 25}).handles.empty());
   CHECK(quotient_of(surfaces::tube, {5}).handles.empty());
+}
+
+TEST_CASE("A handle stays known until one of its vertices is replaced")
+{
+  const Patches patches = surfaces::torus.patches();
+  const Samples samples = surfaces::samples_of(patches);
+  const Surface_quotient quotient = quotient_of(surfaces::torus, {5});
+  REQUIRE(quotient.handles.size() == 1);
+  const Surface_quotient same = Refined_quotient(quotient).take(patches, samples);
+  REQUIRE(same.handles.size() == 1);
+  CHECK(same.handles[0].separator == quotient.handles[0].separator);
+  CHECK(same.handles[0].piece == quotient.handles[0].piece);
+  CHECK(same.handles[0].extra == quotient.handles[0].extra);
+  Refined_quotient refined(quotient);
+  const std::size_t piece = quotient.handles[0].piece, front = refined.add_front();
+  refined.remove(piece);
+  for(std::size_t i : quotient.members[piece])
+    refined.add_to_front(front, i);
+  CHECK(refined.take(patches, samples).handles.empty());
 }
 
 TEST_CASE("Fronts around a handle keep what is attached to the piece")
