@@ -87,6 +87,28 @@ TEST_CASE("Where there is no noise nothing moves")
   }
 }
 
+TEST_CASE("Twigs as thin as a window look noisy, but are not")
+{
+  constexpr double radius = 0.003, length = 0.06;
+  constexpr int number = 100, points = 40; // about two radii apart
+  for(unsigned seed = 0; seed < seeds; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    Gaussians twigs;
+    for(int twig = 0; twig < number; ++twig) {
+      const Vector3 place(random.uniform(), random.uniform(), random.uniform());
+      const Vector3 axis = random.direction();
+      for(int k = 0; k < points; ++k) {
+        const Vector3 across = radius * axis.cross(random.direction()).normalized();
+        twigs.push_back({1, place + length * random.uniform() * axis + across, Matrix3::Zero()});
+      }
+    }
+    const Consolidated_mixture surface = consolidated(twigs);
+    CHECK(surface.noise == 0);
+    CHECK(surface.components.size() > twigs.size() * 97 / 100);
+  }
+}
+
 TEST_CASE("A noisy plane becomes flat and keeps its width")
 {
   constexpr double sigma = 0.03; // a spacing and a half

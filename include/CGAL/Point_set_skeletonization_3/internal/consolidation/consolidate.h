@@ -47,12 +47,6 @@ struct Consolidation_options
   /// windows.
   double sparse = 1.6;
 
-  /// Linearity, in (0, 1), from which on a narrow window shows a thin limb as a line. Twigs of a
-  /// few points across look as noise does, but wider windows do not show a plane: they stay as
-  /// they are. Of 650 tips in sparse scans 501 were found with 0, 483 with 0.25, 443 with 0.5, 396
-  /// without lines; of 60 sparse noisy clouds 34, 37, 37 and 37 were exact.
-  double line = 0.25;
-
   /// Radii of the window, in (0, 1); width of the cells of a noisy mixture. What is finer than the
   /// noise is no detail.
   double resolution = 0.25;
@@ -67,7 +61,6 @@ struct Consolidation_options
     noise.check();
     CGAL_precondition(isolated > 1 && sparse > 0);
     CGAL_precondition(thin > 0 && thin < 1);
-    CGAL_precondition(line > 0 && line < 1);
     CGAL_precondition(resolution > 0 && resolution < 1);
     CGAL_precondition(drowned > 0 && drowned < resolved);
   }
@@ -80,7 +73,6 @@ struct Consolidation_options
     visit("isolated", isolated);
     visit("thin", thin);
     visit("sparse", sparse);
-    visit("line", line);
     visit("resolution", resolution);
     visit("drowned", drowned);
     visit("resolved", resolved);
@@ -227,7 +219,7 @@ private:
         if(dimension[i] != unclear)
           return;
         const Local_shape shape = views[size].shape(moving_.positions[i]);
-        if(shape.linearity >= options_.line)
+        if(shape.linearity >= options_.noise.line)
           dimension[i] = line;
         else if(shape.sphericity <= options_.noise.flat())
           dimension[i] = plane;

@@ -34,6 +34,12 @@ struct Noise_options
   /// windows show no plane: noise that fills a volume evenly has no scatter, but is nowhere flat.
   double round = 0.2;
 
+  /// Linearity, in (0, 1), from which on a narrow window shows a thin limb as a line. Twigs of a
+  /// few points across look as noise does, but wider windows do not show a plane: they stay as
+  /// they are. Of 650 tips in sparse scans 501 were found with 0, 483 with 0.25, 443 with 0.5, 396
+  /// without lines; of 60 sparse noisy clouds 34, 37, 37 and 37 were exact.
+  double line = 0.25;
+
   /// Greatest sphericity of a plane.
   double flat() const { return round / 2; }
 
@@ -47,6 +53,7 @@ struct Noise_options
   void check() const
   {
     CGAL_precondition(least_scatter > 0 && round > 0);
+    CGAL_precondition(line > 0 && line < 1);
   }
 
   /// Calls `visit(name, value)` for every option.
@@ -55,6 +62,7 @@ struct Noise_options
   {
     visit("least_scatter", least_scatter);
     visit("round", round);
+    visit("line", line);
   }
 };
 
@@ -131,7 +139,9 @@ inline double scatter(const std::vector<Local_shape>& narrowest, const Moving_mi
 /// or more each time: noise, not shape, explains what was seen. As long as the noise is wider than
 /// the window, any fall is enough: few components never look quite round. The lower quartile over
 /// the shape counts: noise is everywhere, and nearly every shape is smooth in a quarter of its
-/// surface. O(n log n). \pre nothing has moved yet
+/// surface. So there is none where as many are on lines in the narrowest window: limbs thinner than
+/// that look noisy. With noise at most one in a hundred is, in scans of twigs a seventh and more.
+/// O(n log n). \pre nothing has moved yet
 inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
                            const K_nearest_neighbors& nearest, const Window_radii& radii,
                            const Noise_options& options, Concurrency concurrency)
@@ -145,9 +155,11 @@ inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
     const std::vector<Local_shape> shapes =
       local_shapes(space, moving, size, size == 0 ? 1 : every, concurrency);
     std::vector<double> sphericities, thicknesses;
+    double on_lines = 0;
     for(std::size_t i = 0; i < shapes.size(); i += every) {
       sphericities.push_back(shapes[i].sphericity);
       thicknesses.push_back(shapes[i].thickness);
+      on_lines += shapes[i].linearity >= options.line;
     }
     const double sphericity = quantile(sphericities, quartile);
     if(size == 0) {
@@ -158,6 +170,8 @@ inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
       result.strength = (std::min)(
         1.0, (std::max)({0.0, (scattered - options.least_scatter) / options.least_scatter,
                        (sphericity - least_round) / options.round}));
+      const double share = on_lines / static_cast<double>(sphericities.size());
+      result.strength *= (std::max)(0.0, 1 - share / quartile);
     }
     const double odds = sphericity / (std::max)(1 - sphericity, least);
     const double least_fall = odds < 1 ? Window_radii::ratio : 1;
