@@ -61,14 +61,14 @@ struct Random_graph
   Points points;
 };
 
-std::vector<double> distances(const Random_graph& input, const Branch& branch, std::size_t k,
-                              std::size_t end)
+/// From the `k`-th vertex of a branch to the points of it and of those before `end`.
+std::vector<Vector3> offsets(const Random_graph& input, const Branch& branch, std::size_t k,
+                             std::size_t end)
 {
-  std::vector<double> result;
+  std::vector<Vector3> result;
   for(std::size_t l = k; l < end; ++l)
     for(const Vector3& p : input.points[branch[l]])
-      result.push_back((p - input.graph.vertices[branch[k]].position).norm());
-  std::sort(result.begin(), result.end());
+      result.push_back(p - input.graph.vertices[branch[k]].position);
   return result;
 }
 
@@ -78,10 +78,21 @@ double slenderness(const Random_graph& input, const Branch& branch)
   for(std::size_t k = 1; k < branch.size(); ++k) {
     if(!input.graph.vertices[branch[k]].is_cross_section || input.points[branch[k]].empty())
       continue;
-    const std::vector<double> length = distances(input, branch, k, branch.size());
-    const std::size_t last = length.size() - 1;
+    const std::vector<Vector3> beyond = offsets(input, branch, k, branch.size());
+    Vector3 sum = Vector3::Zero();
+    for(const Vector3& p : beyond)
+      sum += p;
+    const Vector3 axis = sum.normalized();
+    std::vector<double> lengths;
+    for(const Vector3& p : beyond)
+      lengths.push_back(axis.dot(p));
+    std::sort(lengths.begin(), lengths.end());
+    double width = half_a_spacing * input.graph.vertices[branch[k]].resolution;
+    for(const Vector3& p : offsets(input, branch, k, k + 1))
+      width = std::max(width, p.cross(axis).norm());
+    const std::size_t last = lengths.size() - 1;
     const std::size_t furthest = std::min(last, std::max<std::size_t>(2, last / 20));
-    result = std::max(result, length[last - furthest] / distances(input, branch, k, k + 1).back());
+    result = std::max(result, lengths[last - furthest] / width);
   }
   return result;
 }
@@ -223,6 +234,33 @@ TEST_CASE("A twig of single points is a limb if it is long compared with their d
   };
   CHECK(is_kept(1));
   CHECK_FALSE(is_kept(0.1)); // all of them within half a spacing
+}
+
+TEST_CASE("A ring that is as long as the limb is wide counts by its width")
+{
+  const auto is_kept = [](double width) {
+    Skeleton_graph graph; // a limb along x, and another one along y in its middle
+    Points points;
+    constexpr std::size_t length = 13, joint = 6, across = 2;
+    for(std::size_t k = 0; k < length; ++k) {
+      graph.vertices.push_back({Vector3(static_cast<double>(k), 0, 0), 1, 1, true});
+      points.emplace_back(6, graph.vertices.back().position + Vector3(0, 0, 0.5));
+      if(k > 0)
+        graph.edges.emplace_back(k - 1, k);
+    }
+    for(std::size_t k = 0; k < across; ++k) {
+      const Vector3 middle(joint, 2 * static_cast<double>(k) + 1, 0);
+      graph.vertices.push_back({middle, 1, 1, true});
+      points.emplace_back();
+      for(const double along : {-0.9, -0.3, 0.3, 0.9})
+        for(const double side : {-1., 1.})
+          points.back().push_back(middle + Vector3(0, along, side * width));
+      graph.edges.emplace_back(k == 0 ? joint : length, length + k);
+    }
+    return !Spur_pruning(graph, points, Curve_options()).spurs()[length];
+  };
+  CHECK(is_kept(0.2));
+  CHECK_FALSE(is_kept(3));
 }
 
 TEST_CASE("A graph without edges has no spurs")

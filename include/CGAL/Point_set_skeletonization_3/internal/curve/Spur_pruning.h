@@ -304,41 +304,35 @@ private:
                  const Vector3 sum = std::accumulate(ring.begin(), ring.end(),
                                                      Vector3(Vector3::Zero()));
                  const Vector3 middle = sum / static_cast<double>(ring.size());
-                 result = (std::max)(result, slenderness(middle, ring, beyond, 0));
+                 result = (std::max)(
+                   result, slenderness(middle, ring, beyond, least_width(limb.back())));
                });
     return result;
   }
 
-  /// Half the width that a cross-section has at least. That of a line of points shows none: two
-  /// lines are told from one if they are as far apart as two points of a line.
-  double least_width(std::size_t v) const
-  {
-    constexpr std::size_t fewest = 3; // points around a limb
-    return surface_[v].size() < fewest ? half_a_spacing * graph_.vertices[v].resolution : 0;
-  }
+  /// Half the width that a ring has at least. Around a line of points it shows none: two lines are
+  /// told from one if they are as far apart as two points of a line.
+  double least_width(std::size_t v) const { return half_a_spacing * graph_.vertices[v].resolution; }
 
-  /// The ratio of the length beyond a ring to half its width. The ring is one of them.
+  /// The ratio of the length of a limb beyond a ring to half its width, along and across the
+  /// direction to what is beyond, with the ring: one of a few points is often as long as wide.
   static double slenderness(const Vector3& middle, const std::vector<Vector3>& ring,
                             const std::vector<Vector3>& beyond, double least_width)
   {
-    const std::vector<double> around = distances(middle, ring);
-    const double width = (std::max)(least_width, *std::max_element(around.begin(), around.end()));
+    const Vector3 sum = std::accumulate(beyond.begin(), beyond.end(), Vector3(Vector3::Zero()));
+    const Vector3 axis = (sum / static_cast<double>(beyond.size()) - middle).normalized();
+    double width = least_width;
+    for(const Vector3& p : ring)
+      width = (std::max)(width, (p - middle - axis.dot(p - middle) * axis).norm());
     // Without the furthest 5 %, at least two: outliers stick out of the surface.
-    std::vector<double> length = distances(middle, beyond);
+    std::vector<double> length;
+    for(const Vector3& p : beyond)
+      length.push_back(axis.dot(p - middle));
     const std::size_t last = length.size() - 1;
     const auto reached = length.begin() + static_cast<std::ptrdiff_t>(
         last - (std::min)(last, (std::max<std::size_t>)(2, last / 20)));
     std::nth_element(length.begin(), reached, length.end());
     return width > 0 ? *reached / width : 0;
-  }
-
-  /// Distances of some points from a place.
-  static std::vector<double> distances(const Vector3& place, const std::vector<Vector3>& points)
-  {
-    std::vector<double> result;
-    for(const Vector3& p : points)
-      result.push_back((p - place).norm());
-    return result;
   }
 
   const Curve_options& options_;
