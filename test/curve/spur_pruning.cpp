@@ -47,7 +47,7 @@ struct Random_graph
     for(std::size_t v = 0; v < size; ++v) {
       graph.vertices.push_back({vector(), 1, 0.1, below(2) == 0});
       points.emplace_back();
-      for(std::size_t k = below(5); k > 0; --k)
+      for(std::size_t k = below(9); k > 0; --k)
         points.back().push_back(graph.vertices[v].position + vector());
       if(v > 0 && below(20) != 0) // chains and forks of a few parts
         add(below(3) == 0 ? below(v) : v - 1, v);
@@ -72,7 +72,7 @@ std::vector<Vector3> offsets(const Random_graph& input, const Branch& branch, st
   return result;
 }
 
-double slenderness(const Random_graph& input, const Branch& branch)
+double slenderness(const Random_graph& input, const Branch& branch, double least_points)
 {
   double result = 0;
   for(std::size_t k = 1; k < branch.size(); ++k) {
@@ -85,11 +85,13 @@ double slenderness(const Random_graph& input, const Branch& branch)
     const Vector3 axis = sum.normalized();
     std::vector<double> lengths;
     for(const Vector3& p : beyond)
-      lengths.push_back(axis.dot(p));
+      lengths.push_back(p.norm());
     std::sort(lengths.begin(), lengths.end());
     double width = half_a_spacing * input.graph.vertices[branch[k]].resolution;
-    for(const Vector3& p : offsets(input, branch, k, k + 1))
-      width = std::max(width, p.cross(axis).norm());
+    const std::vector<Vector3> ring = offsets(input, branch, k, k + 1);
+    const bool is_plane = static_cast<double>(ring.size()) >= least_points;
+    for(const Vector3& p : ring)
+      width = std::max(width, is_plane ? p.norm() : p.cross(axis).norm());
     const std::size_t last = lengths.size() - 1;
     const std::size_t furthest = std::min(last, std::max<std::size_t>(2, last / 20));
     result = std::max(result, lengths[last - furthest] / width);
@@ -144,7 +146,7 @@ std::vector<bool> spurs_one_by_one(const Random_graph& input, const Curve_option
          (!is_thin || inside == 0 ||
           number_of_components(rest, branch) != number_of_components(rest) + inside))
         continue;
-      const double s = is_thin ? 0 : slenderness(input, branch);
+      const double s = is_thin ? 0 : slenderness(input, branch, options.least_points);
       if(s < least) {
         least = s;
         spur = branch;
@@ -236,9 +238,9 @@ TEST_CASE("A twig of single points is a limb if it is long compared with their d
   CHECK_FALSE(is_kept(0.1)); // all of them within half a spacing
 }
 
-TEST_CASE("A ring that is as long as the limb is wide counts by its width")
+TEST_CASE("A ring of a few points counts by its width across the limb, one of many by any")
 {
-  const auto is_kept = [](double width) {
+  const auto is_kept = [](double width, int points_a_side) {
     Skeleton_graph graph; // a limb along x, and another one along y in its middle
     Points points;
     constexpr std::size_t length = 13, joint = 6, across = 2;
@@ -252,15 +254,16 @@ TEST_CASE("A ring that is as long as the limb is wide counts by its width")
       const Vector3 middle(joint, 2 * static_cast<double>(k) + 1, 0);
       graph.vertices.push_back({middle, 1, 1, true});
       points.emplace_back();
-      for(const double along : {-0.9, -0.3, 0.3, 0.9})
+      for(int n = 0; n < points_a_side; ++n)
         for(const double side : {-1., 1.})
-          points.back().push_back(middle + Vector3(0, along, side * width));
+          points.back().push_back(middle + Vector3(0, n % 2 == 0 ? -10 : 10, side * width));
       graph.edges.emplace_back(k == 0 ? joint : length, length + k);
     }
     return !Spur_pruning(graph, points, Curve_options()).spurs()[length];
   };
-  CHECK(is_kept(0.2));
-  CHECK_FALSE(is_kept(3));
+  CHECK(is_kept(0.2, 2));
+  CHECK_FALSE(is_kept(20, 2)); // wider than long
+  CHECK_FALSE(is_kept(0.2, 4));
 }
 
 TEST_CASE("A graph without edges has no spurs")

@@ -314,20 +314,25 @@ private:
   /// told from one if they are as far apart as two points of a line.
   double least_width(std::size_t v) const { return half_a_spacing * graph_.vertices[v].resolution; }
 
-  /// The ratio of the length of a limb beyond a ring to half its width, along and across the
-  /// direction to what is beyond, with the ring: one of a few points is often as long as wide.
-  static double slenderness(const Vector3& middle, const std::vector<Vector3>& ring,
-                            const std::vector<Vector3>& beyond, double least_width)
+  /// The ratio of the length beyond a ring to half its width. The ring is one of them. One of fewer
+  /// points than it takes to go around a limb shows no plane, and may be as long as the limb is
+  /// wide: its width is that across the direction to what is beyond.
+  double slenderness(const Vector3& middle, const std::vector<Vector3>& ring,
+                     const std::vector<Vector3>& beyond, double least_width) const
   {
     const Vector3 sum = std::accumulate(beyond.begin(), beyond.end(), Vector3(Vector3::Zero()));
+    const bool is_plane = static_cast<double>(ring.size()) >= options_.least_points;
     const Vector3 axis = (sum / static_cast<double>(beyond.size()) - middle).normalized();
     double width = least_width;
-    for(const Vector3& p : ring)
-      width = (std::max)(width, (p - middle - axis.dot(p - middle) * axis).norm());
+    for(const Vector3& p : ring) {
+      const Vector3 offset = p - middle;
+      const double along = is_plane ? 0 : axis.dot(offset);
+      width = (std::max)(width, (offset - along * axis).norm());
+    }
     // Without the furthest 5 %, at least two: outliers stick out of the surface.
     std::vector<double> length;
     for(const Vector3& p : beyond)
-      length.push_back(axis.dot(p - middle));
+      length.push_back((p - middle).norm());
     const std::size_t last = length.size() - 1;
     const auto reached = length.begin() + static_cast<std::ptrdiff_t>(
         last - (std::min)(last, (std::max<std::size_t>)(2, last / 20)));
