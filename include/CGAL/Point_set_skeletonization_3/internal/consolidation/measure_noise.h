@@ -110,11 +110,13 @@ inline double scale_of_normal(const std::vector<double>& values)
                    quantile(values, 0.25) * (half / quarter), quantile(values, 0.5)});
 }
 
-/// Returns the median distance of components from the surface through their neighbours, in radii of
-/// the narrowest window, see `scale_of_normal()`. On a curved surface all components have the same
-/// offset from their fitted planes; only the difference to that of the neighbours is noise. O(n).
-inline double scatter(const std::vector<Local_shape>& narrowest, const Moving_mixture& moving,
-                      const K_nearest_neighbors& nearest, double radius, Concurrency concurrency)
+/// Returns the distance of each component from the surface through its neighbours, in radii of the
+/// narrowest window. On a curved surface all components have the same offset from their fitted
+/// planes; only the difference to that of the neighbours is noise. O(n).
+inline std::vector<double> scatters(const std::vector<Local_shape>& narrowest,
+                                    const Moving_mixture& moving,
+                                    const K_nearest_neighbors& nearest, double radius,
+                                    Concurrency concurrency)
 {
   std::vector<Vector3> offset;
   for(std::size_t i = 0; i < narrowest.size(); ++i)
@@ -128,7 +130,23 @@ inline double scatter(const std::vector<Local_shape>& narrowest, const Moving_mi
       mean += offset[nearest[i][static_cast<std::ptrdiff_t>(k)].index] / static_cast<double>(size);
     off[i] = std::abs(narrowest[i].normal.dot(offset[i] - mean)) / radius;
   });
-  return scale_of_normal(off);
+  return off;
+}
+
+/// Returns the median scatter where the narrowest windows are flattest. O(n).
+inline double scatter_of_flattest(const std::vector<double>& scatters,
+                                  const std::vector<Local_shape>& narrowest)
+{
+  constexpr double share = 0.1; // a trunk and its boughs have that in a scan of a tree
+  std::vector<double> sphericities;
+  for(const Local_shape& shape : narrowest)
+    sphericities.push_back(shape.sphericity);
+  const double flattest = quantile(sphericities, share);
+  std::vector<double> result;
+  for(std::size_t i = 0; i < scatters.size(); ++i)
+    if(narrowest[i].sphericity <= flattest)
+      result.push_back(scatters[i]);
+  return quantile(result, 0.5);
 }
 
 /// Measures the noise. Noise makes narrow windows spherical; curvature and neighbouring sheets make
@@ -139,9 +157,10 @@ inline double scatter(const std::vector<Local_shape>& narrowest, const Moving_mi
 /// or more each time: noise, not shape, explains what was seen. As long as the noise is wider than
 /// the window, any fall is enough: few components never look quite round. The lower quartile over
 /// the shape counts: noise is everywhere, and nearly every shape is smooth in a quarter of its
-/// surface. So there is none where as many are on lines in the narrowest window: limbs thinner than
-/// that look noisy. With noise at most one in a hundred is, in scans of twigs a seventh and more.
-/// O(n log n). \pre nothing has moved yet
+/// surface. Limbs hardly wider than a window look noisy: as far as windows show lines, a quarter of
+/// them or less, there is no more noise than where they are flattest. With noise at most one in a
+/// hundred shows a line, in scans of trees a seventh and more do. O(n log n). \pre nothing has moved
+/// yet
 inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
                            const K_nearest_neighbors& nearest, const Window_radii& radii,
                            const Noise_options& options, Concurrency concurrency)
@@ -155,23 +174,27 @@ inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
     const std::vector<Local_shape> shapes =
       local_shapes(space, moving, size, size == 0 ? 1 : every, concurrency);
     std::vector<double> sphericities, thicknesses;
-    double on_lines = 0;
+    double lines = 0;
     for(std::size_t i = 0; i < shapes.size(); i += every) {
       sphericities.push_back(shapes[i].sphericity);
       thicknesses.push_back(shapes[i].thickness);
-      on_lines += shapes[i].linearity >= options.line;
+      lines += shapes[i].linearity >= options.line;
     }
     const double sphericity = quantile(sphericities, quartile);
     if(size == 0) {
       for(const Local_shape& shape : shapes)
         result.densities.push_back(shape.density);
-      const double scattered = scatter(shapes, moving, nearest, radii[0], concurrency);
+      const std::vector<double> off = scatters(shapes, moving, nearest, radii[0], concurrency);
+      const double scattered = scale_of_normal(off);
       const double least_round = options.flat() + options.round;
       result.strength = (std::min)(
         1.0, (std::max)({0.0, (scattered - options.least_scatter) / options.least_scatter,
                        (sphericity - least_round) / options.round}));
-      const double share = on_lines / static_cast<double>(sphericities.size());
-      result.strength *= (std::max)(0.0, 1 - share / quartile);
+      const double share = lines / static_cast<double>(sphericities.size());
+      const double twigs = (std::min)(1.0, share / quartile);
+      const double flattest = scatter_of_flattest(off, shapes);
+      const double noisy = std::clamp(2 * flattest / options.least_scatter - 1, 0.0, 1.0);
+      result.strength *= 1 - twigs * (1 - noisy);
     }
     const double odds = sphericity / (std::max)(1 - sphericity, least);
     const double least_fall = odds < 1 ? Window_radii::ratio : 1;
