@@ -159,8 +159,8 @@ inline double scatter_of_flattest(const std::vector<double>& scatters,
 /// the shape counts: noise is everywhere, and nearly every shape is smooth in a quarter of its
 /// surface. Limbs hardly wider than a window look noisy: as far as windows show lines, a quarter of
 /// them or less, there is no more noise than where they are flattest. With noise at most one in a
-/// hundred shows a line, in scans of trees a seventh and more do. O(n log n). \pre nothing has moved
-/// yet
+/// hundred shows a line, in scans of trees a seventh and more do.
+/// O(n log n). \pre nothing has moved yet
 inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
                            const K_nearest_neighbors& nearest, const Window_radii& radii,
                            const Noise_options& options, Concurrency concurrency)
