@@ -149,6 +149,27 @@ inline double scatter_of_flattest(const std::vector<double>& scatters,
   return quantile(result, 0.5);
 }
 
+/// The share of a shape that counts: nearly every one is smooth in a quarter of its surface.
+constexpr double quarter_of_shape = 0.25;
+
+/// Returns how much of what looks like noise is noise, in [0, 1]. Limbs hardly wider than a window
+/// look noisy: as far as windows show lines, a quarter of them or less, there is no more noise than
+/// where they are flattest. With noise at most one in a hundred shows a line, in scans of trees a
+/// seventh and more do. O(n).
+/// \param every one window of so many is asked
+inline double credibility(const std::vector<double>& scatters,
+                          const std::vector<Local_shape>& narrowest, std::size_t every,
+                          const Noise_options& options)
+{
+  double lines = 0, windows = 0;
+  for(std::size_t i = 0; i < narrowest.size(); i += every, ++windows)
+    lines += narrowest[i].linearity >= options.line;
+  const double twigs = (std::min)(1.0, lines / windows / quarter_of_shape);
+  const double flattest = scatter_of_flattest(scatters, narrowest);
+  const double noisy = std::clamp(2 * flattest / options.least_scatter - 1, 0.0, 1.0);
+  return 1 - twigs * (1 - noisy);
+}
+
 /// Measures the noise. Noise makes narrow windows spherical; curvature and neighbouring sheets make
 /// wide ones spherical. A plane with noise of variance t^2, in a window in which it extends by w^2
 /// within the plane and the noise, if it is wide, as far across, has a sphericity s of about
@@ -157,16 +178,12 @@ inline double scatter_of_flattest(const std::vector<double>& scatters,
 /// or more each time: noise, not shape, explains what was seen. As long as the noise is wider than
 /// the window, any fall is enough: few components never look quite round. The lower quartile over
 /// the shape counts: noise is everywhere, and nearly every shape is smooth in a quarter of its
-/// surface. Limbs hardly wider than a window look noisy: as far as windows show lines, a quarter of
-/// them or less, there is no more noise than where they are flattest. With noise at most one in a
-/// hundred shows a line, in scans of trees a seventh and more do.
-/// O(n log n). \pre nothing has moved yet
+/// surface. O(n log n). \pre nothing has moved yet
 inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
                            const K_nearest_neighbors& nearest, const Window_radii& radii,
                            const Noise_options& options, Concurrency concurrency)
 {
   constexpr std::size_t every = 7; // some hundreds of components are enough
-  constexpr double quartile = 0.25;
   constexpr double least = (std::numeric_limits<double>::min)(); // instead of 0
   Noise result;
   double last = std::numeric_limits<double>::infinity();
@@ -174,13 +191,11 @@ inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
     const std::vector<Local_shape> shapes =
       local_shapes(space, moving, size, size == 0 ? 1 : every, concurrency);
     std::vector<double> sphericities, thicknesses;
-    double lines = 0;
     for(std::size_t i = 0; i < shapes.size(); i += every) {
       sphericities.push_back(shapes[i].sphericity);
       thicknesses.push_back(shapes[i].thickness);
-      lines += shapes[i].linearity >= options.line;
     }
-    const double sphericity = quantile(sphericities, quartile);
+    const double sphericity = quantile(sphericities, quarter_of_shape);
     if(size == 0) {
       for(const Local_shape& shape : shapes)
         result.densities.push_back(shape.density);
@@ -190,18 +205,14 @@ inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
       result.strength = (std::min)(
         1.0, (std::max)({0.0, (scattered - options.least_scatter) / options.least_scatter,
                        (sphericity - least_round) / options.round}));
-      const double share = lines / static_cast<double>(sphericities.size());
-      const double twigs = (std::min)(1.0, share / quartile);
-      const double flattest = scatter_of_flattest(off, shapes);
-      const double noisy = std::clamp(2 * flattest / options.least_scatter - 1, 0.0, 1.0);
-      result.strength *= 1 - twigs * (1 - noisy);
+      result.strength *= credibility(off, shapes, every, options);
     }
     const double odds = sphericity / (std::max)(1 - sphericity, least);
     const double least_fall = odds < 1 ? Window_radii::ratio : 1;
     if(odds * least_fall >= last) // also on a line of points: no normal at any size
       break;
     result.size = size;
-    result.thickness = quantile(thicknesses, quartile);
+    result.thickness = quantile(thicknesses, quarter_of_shape);
     if(result.strength == 0)
       break;
     last = odds;
