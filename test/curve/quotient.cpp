@@ -396,14 +396,17 @@ TEST_CASE("Wave fronts follow scattered points around a corner, where their midd
   CHECK(length_of_path > 1.5 * (length - width));
 }
 
-TEST_CASE("Trees of lines have a vertex at each patch and close no cycle")
+TEST_CASE("Trees of twigs have a vertex at each patch and close no cycle")
 {
   for(const Tube& tube : {Tube{true, 30}, Tube{false, 30}}) {
     const Patches patches = tube.patches();
     const Surface_quotient quotient = quotient_of(tube, {4, 13, 22});
-    const auto with_trees = [&](const std::vector<bool>& is_on_line) {
+    std::vector<bool> is_on_line; // every other ring; the patches between are scattered
+    for(std::size_t i = 0; i < patches.size(); ++i)
+      is_on_line.push_back(i / tube.index(1, 0) % 2 == 0);
+    const auto with_trees = [&](const std::vector<bool>& is_of_twig) {
       return with_line_trees(quotient, patches, surfaces::samples_of(patches),
-                             adjacent_pairs(patches), is_on_line);
+                             adjacent_pairs(patches), is_of_twig, is_on_line);
     };
     const Surface_quotient same = with_trees(std::vector<bool>(patches.size(), false));
     CHECK(same.graph.edges == quotient.graph.edges);
@@ -411,14 +414,16 @@ TEST_CASE("Trees of lines have a vertex at each patch and close no cycle")
     std::vector<bool> one(patches.size(), false);
     for(std::size_t i = 0; i < patches.size(); ++i)
       one[i] = quotient.vertex_of_patch[i] == quotient.vertex_of_patch[tube.index(8, 0)];
-    for(const std::vector<bool>& is_on_line : {std::vector<bool>(patches.size(), true), one}) {
-      const Surface_quotient trees = with_trees(is_on_line);
+    for(const std::vector<bool>& is_of_twig : {std::vector<bool>(patches.size(), true), one}) {
+      const Surface_quotient trees = with_trees(is_of_twig);
       CHECK(number_of_components(trees.graph) == 1);
       CHECK(number_of_cycles(trees.graph) == 0);
       for(std::size_t i = 0; i < patches.size(); ++i) {
         const std::size_t v = trees.vertex_of_patch[i];
-        if(is_on_line[i] && is_piece(quotient.vertex_of_patch[i], quotient))
+        if(is_of_twig[i] && is_piece(quotient.vertex_of_patch[i], quotient)) {
           CHECK(trees.members[v] == std::vector<std::size_t>{i});
+          CHECK(trees.graph.vertices[v].is_cross_section == is_on_line[i]);
+        }
       }
     }
   }

@@ -45,7 +45,7 @@ struct Random_graph
         graph.edges.emplace_back(v, w);
     };
     for(std::size_t v = 0; v < size; ++v) {
-      graph.vertices.push_back({vector(), 1, 0.1, below(2) == 0});
+      graph.vertices.push_back({vector(), 1, 0.1, below(2) == 0, below(4) == 0});
       points.emplace_back();
       for(std::size_t k = below(9); k > 0; --k)
         points.back().push_back(graph.vertices[v].position + vector());
@@ -75,8 +75,11 @@ std::vector<Vector3> offsets(const Random_graph& input, const Branch& branch, st
 double slenderness(const Random_graph& input, const Branch& branch, double least_points)
 {
   double result = 0;
+  bool has_cross_section = false;
   for(std::size_t k = 1; k < branch.size(); ++k) {
-    if(!input.graph.vertices[branch[k]].is_cross_section || input.points[branch[k]].empty())
+    const Skeleton_graph::Vertex& vertex = input.graph.vertices[branch[k]];
+    has_cross_section = has_cross_section || vertex.is_cross_section;
+    if(!(vertex.is_cross_section || vertex.is_on_line) || input.points[branch[k]].empty())
       continue;
     const std::vector<Vector3> beyond = offsets(input, branch, k, branch.size());
     Vector3 sum = Vector3::Zero();
@@ -87,16 +90,17 @@ double slenderness(const Random_graph& input, const Branch& branch, double least
     for(const Vector3& p : beyond)
       lengths.push_back(p.norm());
     std::sort(lengths.begin(), lengths.end());
-    double width = half_a_spacing * input.graph.vertices[branch[k]].resolution;
+    double width = half_a_spacing * vertex.resolution;
     const std::vector<Vector3> ring = offsets(input, branch, k, k + 1);
     const bool is_plane = static_cast<double>(ring.size()) >= least_points;
     for(const Vector3& p : ring)
       width = std::max(width, is_plane ? p.norm() : p.cross(axis).norm());
     const std::size_t last = lengths.size() - 1;
-    const std::size_t furthest = std::min(last, std::max<std::size_t>(2, last / 20));
+    const std::size_t outliers = vertex.is_on_line ? 1 : 2;
+    const std::size_t furthest = std::min(last, std::max(outliers, last / 20));
     result = std::max(result, lengths[last - furthest] / width);
   }
-  return result;
+  return has_cross_section ? result : 0;
 }
 
 /// The graph without the vertices that were removed, and the inside of a branch.
@@ -134,12 +138,16 @@ std::vector<bool> spurs_one_by_one(const Random_graph& input, const Curve_option
         continue;
       const bool has_tip = adjacency[branch.back()].size() == 1;
       std::size_t points = 0;
-      for(std::size_t k = 1; k + (has_tip ? 0 : 1) < branch.size(); ++k)
+      bool is_on_line = false;
+      for(std::size_t k = 1; k + (has_tip ? 0 : 1) < branch.size(); ++k) {
         points += input.points[branch[k]].size();
+        is_on_line = is_on_line || input.graph.vertices[branch[k]].is_on_line;
+      }
       const std::size_t at_ends =
         std::min(input.points[branch.front()].size(), input.points[branch.back()].size());
-      const bool is_thin =
-        static_cast<double>(points) < options.least_points && (has_tip || points < at_ends);
+      const bool is_thin = !is_on_line &&
+                           static_cast<double>(points) < options.least_points &&
+                           (has_tip || points < at_ends);
       // Without the inside of a bridge, that is isolated and the rest in one part more.
       const std::size_t inside = branch.size() - 2;
       if(!has_tip &&
@@ -236,6 +244,33 @@ TEST_CASE("A twig of single points is a limb if it is long compared with their d
   };
   CHECK(is_kept(1));
   CHECK_FALSE(is_kept(0.1)); // all of them within half a spacing
+}
+
+TEST_CASE("A twig of three points on a line is a limb, of scattered ones it is none")
+{
+  const auto is_kept = [](std::size_t twig, bool are_on_line, bool is_line_seen) {
+    Skeleton_graph graph; // two twigs of many points, and one in their middle
+    Points points;
+    constexpr std::size_t length = 13, joint = 6;
+    const auto add = [&](const Vector3& place, std::size_t from, bool is_cross_section) {
+      const std::size_t v = graph.vertices.size();
+      graph.vertices.push_back({place, 0, 2.5, is_cross_section, are_on_line});
+      points.push_back({place});
+      if(v > 0)
+        graph.edges.emplace_back(from, v);
+    };
+    for(std::size_t k = 0; k < length; ++k)
+      add(Vector3(static_cast<double>(k), 0, 0), k - 1, true);
+    for(std::size_t k = 0; k < twig; ++k)
+      add(Vector3(joint, static_cast<double>(k) + 1, 0), k == 0 ? joint : length + k - 1,
+          is_line_seen && k == twig / 2);
+    return !Spur_pruning(graph, points, Curve_options()).spurs()[length];
+  };
+  CHECK(is_kept(3, true, true));
+  CHECK_FALSE(is_kept(2, true, true)); // one of them may be an outlier
+  CHECK_FALSE(is_kept(3, false, true)); // fewer than go around a limb
+  for(const std::size_t twig : {3, 8})
+    CHECK_FALSE(is_kept(twig, true, false));
 }
 
 TEST_CASE("A ring of a few points counts by its width across the limb, one of many by any")

@@ -155,7 +155,7 @@ TEST_CASE("Two sheets share hardly a patch if there is a cell between them")
       },
       100000, seed);
     const Patch_groups groups =
-      connected_groups(flat_groups(sheets, cell, options), patches_of(sheets), false);
+      connected_groups(flat_groups(sheets, cell, options), patches_of(sheets));
     std::size_t shared = 0;
     for(std::size_t g = 0; g < groups.size(); ++g)
       shared += std::any_of(groups[g].begin(), groups[g].end(), [&](std::size_t i) {
@@ -225,7 +225,7 @@ TEST_CASE("Contraction keeps weight, mean, area and adjacency")
     const Gaussians components = sphere(0.4, seed);
     const Patches fine = patches_of(components);
     const Patch_groups groups =
-      connected_groups(flat_groups(components, cell, options), fine, false);
+      connected_groups(flat_groups(components, cell, options), fine);
     REQUIRE(groups.size() < components.size() / 4);
     const Gaussians gaussians = contracted(components, groups, Concurrency::sequential);
     const Patches patches =

@@ -207,14 +207,20 @@ private:
   }
 
   /// Whether a branch, without its junctions, has fewer surface points than any limb: than a ring
-  /// and, between two junctions, than these, which on lines of points have no rings either.
+  /// and, between two junctions, than these, which on lines of points have no rings either. On a
+  /// line every point is a cross-section.
   bool is_thin(std::size_t way, bool has_tip) const
   {
     const std::size_t last = from(end_[way]);
     std::size_t before = from(way), v = to_[way], points = 0;
+    bool is_on_line = graph_.vertices[last].is_on_line && has_tip;
     for(; v != last && static_cast<double>(points) < options_.least_points;
-        before = std::exchange(v, next(v, before)))
+        before = std::exchange(v, next(v, before))) {
       points += surface_[v].size();
+      is_on_line = is_on_line || graph_.vertices[v].is_on_line;
+    }
+    if(is_on_line)
+      return false;
     if(v == last && has_tip)
       points += surface_[v].size();
     return static_cast<double>(points) < options_.least_points &&
@@ -272,22 +278,28 @@ private:
 
   /// The largest ratio of the length beyond a cross-section of a branch to half its width; or, if
   /// that is enough for a limb, the first one found from the tip. If no separator is enough, the
-  /// rings at its root may be. `end` is the way from the tip.
+  /// rings at its root may be. Among scattered twigs each point may be where a twig begins, but
+  /// without a cross-section, where they show a line, there is none. `end` is the way from the tip.
   double slenderness(std::size_t end) const
   {
     const std::size_t junction = from(end_[end]);
     double result = 0;
+    bool has_cross_section = false;
     std::vector<Vector3> beyond;
     std::vector<std::size_t> limb;
-    for(std::size_t v = from(end), w = to_[end]; v != junction && result < options_.slenderness;
+    for(std::size_t v = from(end), w = to_[end];
+        v != junction && !(has_cross_section && result >= options_.slenderness);
         v = std::exchange(w, next(w, v))) {
+      const Skeleton_graph::Vertex& vertex = graph_.vertices[v];
       const std::vector<Vector3>& points = surface_[v];
       beyond.insert(beyond.end(), points.begin(), points.end());
       limb.push_back(v);
-      if(graph_.vertices[v].is_cross_section && !points.empty())
-        result = (std::max)(result, slenderness(graph_.vertices[v].position, points, beyond,
-                                                least_width(v)));
+      has_cross_section = has_cross_section || vertex.is_cross_section;
+      if((vertex.is_cross_section || vertex.is_on_line) && !points.empty())
+        result = (std::max)(result, slenderness(vertex.position, points, beyond, v));
     }
+    if(!has_cross_section)
+      result = 0;
     const bool has_root = for_rings_ && !graph_.vertices[junction].is_cross_section &&
                           std::none_of(limb.begin(), limb.end(), [this](std::size_t v) {
                             return is_open(graph_.vertices[v]); // there is no ring around a strip
@@ -304,8 +316,7 @@ private:
                  const Vector3 sum = std::accumulate(ring.begin(), ring.end(),
                                                      Vector3(Vector3::Zero()));
                  const Vector3 middle = sum / static_cast<double>(ring.size());
-                 result = (std::max)(
-                   result, slenderness(middle, ring, beyond, least_width(limb.back())));
+                 result = (std::max)(result, slenderness(middle, ring, beyond, limb.back()));
                });
     return result;
   }
@@ -316,26 +327,28 @@ private:
 
   /// The ratio of the length beyond a ring to half its width. The ring is one of them. One of fewer
   /// points than it takes to go around a limb shows no plane, and may be as long as the limb is
-  /// wide: its width is that across the direction to what is beyond.
+  /// wide: its width is that across the direction to what is beyond. `v` is the vertex of the ring.
   double slenderness(const Vector3& middle, const std::vector<Vector3>& ring,
-                     const std::vector<Vector3>& beyond, double least_width) const
+                     const std::vector<Vector3>& beyond, std::size_t v) const
   {
     const Vector3 sum = std::accumulate(beyond.begin(), beyond.end(), Vector3(Vector3::Zero()));
     const bool is_plane = static_cast<double>(ring.size()) >= options_.least_points;
     const Vector3 axis = (sum / static_cast<double>(beyond.size()) - middle).normalized();
-    double width = least_width;
+    double width = least_width(v);
     for(const Vector3& p : ring) {
       const Vector3 offset = p - middle;
       const double along = is_plane ? 0 : axis.dot(offset);
       width = (std::max)(width, (offset - along * axis).norm());
     }
-    // Without the furthest 5 %, at least two: outliers stick out of the surface.
+    // Without the furthest 5 %, at least two: outliers stick out of the surface. A line has few
+    // points, and one outlier at its end.
+    const std::size_t fewest = graph_.vertices[v].is_on_line ? 1 : 2;
     std::vector<double> length;
     for(const Vector3& p : beyond)
       length.push_back((p - middle).norm());
     const std::size_t last = length.size() - 1;
     const auto reached = length.begin() + static_cast<std::ptrdiff_t>(
-        last - (std::min)(last, (std::max<std::size_t>)(2, last / 20)));
+        last - (std::min)(last, (std::max)(fewest, last / 20)));
     std::nth_element(length.begin(), reached, length.end());
     return width > 0 ? *reached / width : 0;
   }

@@ -24,15 +24,16 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Divides pieces of a quotient into patches that are on lines and what is left.
+/// Divides pieces of a quotient into patches of twigs and what is left.
 class Line_trees
 {
 public:
   /// Refers to all arguments. O(n).
   Line_trees(const Surface_quotient& quotient, const Patches& patches,
-             const std::vector<Patch_pair>& pairs, const std::vector<bool>& is_on_line)
-    : quotient_(quotient), patches_(patches), pairs_(pairs),
-      is_replaced_(on_lines_of_pieces(is_on_line)),
+             const std::vector<Patch_pair>& pairs, const std::vector<bool>& is_of_twig,
+             const std::vector<bool>& is_on_line)
+    : quotient_(quotient), patches_(patches), pairs_(pairs), is_on_line_(is_on_line),
+      is_replaced_(twigs_of_pieces(is_of_twig)),
       is_divided_(quotient.members.size(), false), result_(quotient)
   {
     for(std::size_t i = 0; i < patches.size(); ++i)
@@ -40,7 +41,7 @@ public:
         is_divided_[quotient.vertex_of_patch[i]] = true;
   }
 
-  /// Returns the quotient with trees of the patches on lines. To be called once. O(n log n).
+  /// Returns the quotient with trees of the patches of twigs. To be called once. O(n log n).
   Surface_quotient run(const Samples& samples)
   {
     divide_pieces();
@@ -57,25 +58,26 @@ public:
   }
 
 private:
-  /// Which patches of pieces are on lines, as many together as it takes to see a line: fewer are
+  /// Which patches of pieces are of twigs, as many together as it takes to see a line: fewer are
   /// straight by chance.
-  std::vector<bool> on_lines_of_pieces(const std::vector<bool>& is_on_line) const
+  std::vector<bool> twigs_of_pieces(const std::vector<bool>& is_of_twig) const
   {
     Union_find lines(patches_.size());
     for(const Patch_pair& pair : pairs_)
-      if(is_on_line[pair.a] && is_on_line[pair.b])
+      if(is_of_twig[pair.a] && is_of_twig[pair.b])
         lines.join(pair.a, pair.b);
     std::vector<std::size_t> size(patches_.size(), 0);
     for(std::size_t i = 0; i < size.size(); ++i)
       ++size[lines.find(i)];
     std::vector<bool> result;
     for(std::size_t i = 0; i < size.size(); ++i)
-      result.push_back(is_on_line[i] && size[lines.find(i)] >= places_of_line &&
+      result.push_back(is_of_twig[i] && size[lines.find(i)] >= places_of_line &&
                        is_piece(quotient_.vertex_of_patch[i], quotient_));
     return result;
   }
 
-  /// Makes each patch on a line of a piece a vertex, and each connected part of what is left.
+  /// Makes each patch of a twig a vertex, on a line a cross-section, and each connected part of what
+  /// is left of a piece.
   void divide_pieces()
   {
     Union_find left(patches_.size());
@@ -89,7 +91,7 @@ private:
       result_.remove(v);
       for(std::size_t i : quotient_.members[v]) // ascending; the root of a set is its smallest
         if(is_replaced_[i] || left.find(i) == i)
-          result_.add_to_front(result_.add_front(is_replaced_[i]), i);
+          result_.add_to_front(result_.add_front(is_replaced_[i] && is_on_line_[i]), i);
         else
           result_.add_to_front(result_.vertex_of(left.find(i)), i);
     }
@@ -121,27 +123,30 @@ private:
   const Surface_quotient& quotient_;
   const Patches& patches_;
   const std::vector<Patch_pair>& pairs_;
+  const std::vector<bool>& is_on_line_;
   std::vector<bool> is_replaced_; ///< Of each patch.
   std::vector<bool> is_divided_;  ///< Of each vertex.
   Refined_quotient result_;
 };
 
-/// Part 3b: replaces the patches of pieces that are on lines by trees. Twigs of single points have
+/// Part 3b: replaces the patches of pieces that are of twigs by trees. Twigs of single points have
 /// no ring around them that a separator could be, and where their points are further apart than the
 /// twigs, all of them are one piece, with the limb that they grow on. What runs through such points
 /// is their minimum spanning tree, joined to the limbs around, and to what is left of the piece,
 /// where it touches them. Nothing was seen of these twigs from all sides: they close no cycle.
-/// O(n log n).
+/// Where twigs are scattered as well, no single point is a cross-section of a limb. O(n log n).
 /// \param pairs adjacent patches, `Ball_overlaps::pairs()`
+/// \param is_of_twig of each patch: on a line, or scattered
 /// \param is_on_line of each patch
 inline Surface_quotient with_line_trees(Surface_quotient quotient, const Patches& patches,
                                         const Samples& samples,
                                         const std::vector<Patch_pair>& pairs,
+                                        const std::vector<bool>& is_of_twig,
                                         const std::vector<bool>& is_on_line)
 {
-  if(std::find(is_on_line.begin(), is_on_line.end(), true) == is_on_line.end())
+  if(std::find(is_of_twig.begin(), is_of_twig.end(), true) == is_of_twig.end())
     return quotient;
-  return Line_trees(quotient, patches, pairs, is_on_line).run(samples);
+  return Line_trees(quotient, patches, pairs, is_of_twig, is_on_line).run(samples);
 }
 
 } // namespace internal

@@ -52,7 +52,8 @@ inline void mark_caps(const Skeleton_graph& graph, std::vector<bool>& removed)
       adjacency[e.second].push_back(e.first);
     }
   const auto is_cap = [&](std::size_t v) {
-    return !graph.vertices[v].is_cross_section && adjacency[v].size() == 1;
+    const Skeleton_graph::Vertex& vertex = graph.vertices[v];
+    return !vertex.is_cross_section && !vertex.is_on_line && adjacency[v].size() == 1;
   };
   for(std::size_t v = 0; v < adjacency.size(); ++v) {
     if(!is_cap(v))

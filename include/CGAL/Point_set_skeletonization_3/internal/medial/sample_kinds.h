@@ -59,6 +59,21 @@ inline std::vector<Medial_sample_kind> sample_kinds(const Surface& surface, cons
   return result;
 }
 
+/// Whether a patch and the nearest of those adjacent to it are straight.
+inline bool is_straight(const Patches& patches, std::size_t i)
+{
+  std::vector<Vector3> near{Vector3::Zero()};
+  for(std::size_t j : patches[i].neighbors)
+    near.push_back(patches[j].mean - patches[i].mean);
+  const std::size_t number = (std::min)(places_of_line, near.size());
+  const auto is_nearer = [](const Vector3& p, const Vector3& q) {
+    return p.squaredNorm() < q.squaredNorm();
+  };
+  std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(number), near.end(),
+                    is_nearer);
+  return are_straight(number, [&](std::size_t k) -> const Vector3& { return near[k]; });
+}
+
 /// What the patches are among whose other side was not seen; neither of these is a sheet.
 struct Unresolved_patches
 {
@@ -67,8 +82,9 @@ struct Unresolved_patches
 };
 
 /// Returns what each patch is among. From afar many twigs are scattered, therefore the nearest
-/// neighbours are looked at first; a sheet that is made of lines is one of twigs in a cloud of
-/// lines, and of leaves elsewhere. O(n log n).
+/// neighbours are looked at first. A sheet that is made of lines is one of twigs in a cloud of
+/// lines, and of leaves elsewhere; there are no leaves in a cloud of lines, whatever is scattered
+/// there by its kind is. O(n log n).
 inline Unresolved_patches unresolved_patches(const Surface& surface, const Samples& samples)
 {
   const Patches& patches = surface.patches;
@@ -89,9 +105,11 @@ inline Unresolved_patches unresolved_patches(const Surface& surface, const Sampl
                        [&](std::size_t k) { straightness.add(is_straight_patch(k)); });
     const Dimensionality around = dimensionality_around(surface, i);
     const bool is_on_lines = straightness.is_on_lines();
-    result.is_on_line[i] =
-      is_on_lines && (surface.is_of_lines || around.kind() != Medial_sample_kind::sheet);
-    result.is_scattered[i] = !is_on_lines && around.is_clearly_scattered();
+    const bool is_sheet = around.kind() == Medial_sample_kind::sheet;
+    result.is_on_line[i] = is_on_lines && (surface.is_of_lines || !is_sheet);
+    result.is_scattered[i] =
+      !is_on_lines && (surface.is_of_lines ? around.kind() == Medial_sample_kind::scatter
+                                           : around.is_clearly_scattered());
   }
   return result;
 }

@@ -118,14 +118,13 @@ inline void move_inside(Surface_quotient& quotient, const Surface& surface, cons
   }
 }
 
-/// Marks the vertices that are one patch on a line. In a cloud of lines these are points of twigs,
-/// and no average of sparse points is a better place; elsewhere they may be leaves. O(n).
-inline void mark_points_of_lines(Surface_quotient& quotient, const std::vector<bool>& is_on_line)
+/// Marks the vertices that are one patch of a twig. In a cloud of lines no average of sparse points
+/// is a better place; elsewhere they may be leaves. O(n).
+inline void mark_points_of_twigs(Surface_quotient& quotient, const std::vector<bool>& is_of_twig)
 {
   for(std::size_t v = 0; v < quotient.members.size(); ++v) {
     const std::vector<std::size_t>& members = quotient.members[v];
-    quotient.graph.vertices[v].is_on_line = quotient.graph.vertices[v].is_cross_section &&
-                                            members.size() == 1 && is_on_line[members.front()];
+    quotient.graph.vertices[v].is_on_line = members.size() == 1 && is_of_twig[members.front()];
   }
 }
 
@@ -150,16 +149,17 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
     without_marked(local_separators(candidates, surface, samples, overlaps, !is_frame,
                                     options.separators, concurrency),
                    has_no_rings);
+  const std::vector<bool>& is_of_twig = surface.is_of_lines ? has_no_rings : unresolved.is_on_line;
   const auto with_twigs = [&](Surface_quotient quotient) {
     return with_line_trees(std::move(quotient), surface.patches, samples, overlaps.pairs(),
-                           unresolved.is_on_line);
+                           is_of_twig, unresolved.is_on_line);
   };
   const auto quotient_of = [&] {
     Surface_quotient quotient =
       surface_quotient(surface.patches, samples, overlaps, separators, concurrency);
     if(surface.is_of_lines) { // before fronts around a handle gather twigs
       quotient = with_twigs(std::move(quotient));
-      mark_points_of_lines(quotient, unresolved.is_on_line);
+      mark_points_of_twigs(quotient, is_of_twig);
     }
     quotient = with_handle_fronts(std::move(quotient), separators, surface.patches, samples,
                                   overlaps.pairs());

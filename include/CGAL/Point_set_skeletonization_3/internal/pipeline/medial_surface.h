@@ -45,13 +45,14 @@ inline Surface surface_of(Consolidated_mixture& consolidated, const Surface_opti
                           Concurrency concurrency)
 {
   const Gaussians& components = consolidated.components;
-  const Patch_groups flat =
-    flat_groups(components, consolidated.cell_size, options, concurrency);
+  const Patch_groups flat = // a few twigs close to each other are flat, but no surface
+    consolidated.is_of_lines
+      ? Patch_groups(components.size())
+      : flat_groups(components, consolidated.cell_size, options, concurrency);
   const Patches fine = estimate_patches(components, consolidated.neighbors, options, concurrency);
   consolidated.neighbors = K_nearest_neighbors();
   return build_surface(components, consolidated.tree, fine,
-                       connected_groups(flat, fine, consolidated.is_of_lines),
-                       consolidated.is_of_lines, options, concurrency);
+                       connected_groups(flat, fine), consolidated.is_of_lines, options, concurrency);
 }
 
 /// Stage 2: returns the denoised surface of mixture components and its medial samples. `cell_size`

@@ -8,7 +8,6 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Moments.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/straightness.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_groups.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface_options.h>
@@ -27,52 +26,16 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Whether a patch and the nearest of those adjacent to it are straight.
-inline bool is_straight(const Patches& patches, std::size_t i)
-{
-  std::vector<Vector3> near{Vector3::Zero()};
-  for(std::size_t j : patches[i].neighbors)
-    near.push_back(patches[j].mean - patches[i].mean);
-  const std::size_t number = (std::min)(places_of_line, near.size());
-  const auto is_nearer = [](const Vector3& p, const Vector3& q) {
-    return p.squaredNorm() < q.squaredNorm();
-  };
-  std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(number), near.end(),
-                    is_nearer);
-  return are_straight(number, [&](std::size_t k) -> const Vector3& { return near[k]; });
-}
-
-/// Returns which patches are on lines: most around are straight, and not only by chance. O(n).
-inline std::vector<bool> patches_on_lines(const Patches& patches)
-{
-  std::vector<bool> straight, result;
-  for(std::size_t i = 0; i < patches.size(); ++i)
-    straight.push_back(is_straight(patches, i));
-  for(std::size_t i = 0; i < patches.size(); ++i) {
-    Straightness straightness;
-    straightness.add(straight[i]);
-    for(std::size_t j : patches[i].neighbors)
-      straightness.add(straight[j]);
-    result.push_back(straightness.is_on_lines());
-  }
-  return result;
-}
-
 /// Returns the connected pieces of each group: a few components are flat together even if they are
-/// on two sheets. On a line of points, which is flat at any length, every component is a piece; in
-/// a cloud of lines also where a few twigs are close to each other.
+/// on two sheets. On a line of points, which is flat at any length, every component is a piece.
 /// `fine` are the patches of the components. O(adjacent pairs).
-inline Patch_groups connected_groups(const Patch_groups& groups, const Patches& fine,
-                                     bool is_of_lines)
+inline Patch_groups connected_groups(const Patch_groups& groups, const Patches& fine)
 {
-  std::vector<bool> is_single =
-    is_of_lines ? patches_on_lines(fine) : std::vector<bool>(fine.size(), false);
-  for(std::size_t i = 0; i < fine.size(); ++i)
-    is_single[i] = is_single[i] || fine[i].is_on_line;
   Union_find sets(fine.size());
   for(std::size_t i = 0; i < fine.size(); ++i)
     for(std::size_t j : fine[i].neighbors)
-      if(groups.group_of()[i] == groups.group_of()[j] && !is_single[i] && !is_single[j])
+      if(groups.group_of()[i] == groups.group_of()[j] && !fine[i].is_on_line &&
+         !fine[j].is_on_line)
         sets.join(i, j);
   std::vector<std::size_t> group_of(fine.size());
   std::size_t size = 0;
