@@ -72,16 +72,17 @@ inline bool is_in_sheet(std::size_t i, const Gaussians& components, const Box_tr
 /// Whether a cloud is one of lines, as a sparse scan of a tree, whose twigs are single rows of
 /// points. There, what is sparse is neither an outlier nor the tail of noise, but what the cloud is
 /// made of; so the sparser half of the components is asked: many are on lines, and not in a sheet.
-/// Of sparse samples of trees 34 to 79 % are, of scanned crowns in leaf at most 35 %, of surfaces
-/// less than 10 %. Where there are too few components to see the surface of a leaf, and detail is
-/// worth more than smoothness (`Grid_options::minimum_cells`), fewer are enough: of small samples of
-/// crowns 11 to 41 % are on lines, of closed shapes at most 28 %. Rows of a scanner of few beams are
-/// lines as well, until `with_rows_merged()`. O(n), at most 2000 components are asked.
+/// Of sparse samples of trees 34 to 79 % are, of scanned crowns in leaf and of trees scanned with a
+/// few beams at most 42 %, of surfaces less than 10 %. Where there are too few components to see the
+/// surface of a leaf, and detail is worth more than smoothness (`Grid_options::minimum_cells`), fewer
+/// are enough: of small samples of crowns 11 to 41 % are on lines, of closed shapes at most 28 %.
+/// Rows of a scanner of few beams are lines as well, until `with_rows_merged()`. O(n), at most 2000
+/// components are asked.
 /// \param nearest of the components, each first itself
 inline bool is_cloud_of_lines(const Gaussians& components, const Box_tree& tree,
                               const K_nearest_neighbors& nearest)
 {
-  constexpr double least_of_few = 0.27, least_of_many = 0.38;
+  constexpr double least_of_few = 0.27, least_of_many = 0.43;
   constexpr std::size_t few = 4000;
   const double least = components.size() < few ? least_of_few : least_of_many;
   constexpr std::size_t fewest = 2000; // of which half are sparse

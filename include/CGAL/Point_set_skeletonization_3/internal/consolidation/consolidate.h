@@ -98,8 +98,8 @@ struct Consolidated_mixture
 /// A component moves to the plane fitted in its window, or in a narrower one if the window contains
 /// a whole limb. In a limb as thin as the noise it moves to the local mean instead, but not along
 /// the limb (mean shift, Comaniciu and Meer 2002). What is a line of components in a narrow window
-/// stays where it is: a twig of a few points across is no noise. Without noise nothing moves; in a
-/// cloud of lines only what is far from everything is dropped.
+/// stays where it is: a twig of a few points across is no noise. Without noise, and in a cloud of
+/// lines, nothing moves.
 class Consolidation
 {
 public:
@@ -115,14 +115,16 @@ public:
       is_on_line_(mixture.size(), false)
   {}
 
-  /// Measures the noise; there is none in a cloud of lines: what looks like it is the distance of
-  /// twigs. Returns the radius of the window that it needs; 0 if there is none, or if the narrowest
-  /// window does.
+  /// Measures the noise; there is none in a cloud of lines. Returns the radius of the window that
+  /// it needs; 0 if there is none, or if the narrowest window does.
   double measure()
   {
     space_.emplace(initial_scale_space());
-    if(!is_of_lines_)
-      noise_ = measure_noise(*space_, moving_, nearest_, radii_, options_.noise, concurrency_);
+    noise_ = measure_noise(*space_, moving_, nearest_, radii_, options_.noise, concurrency_);
+    if(is_of_lines_) { // what looks like noise is the distance of twigs
+      noise_.strength = 0;
+      noise_.size = 0;
+    }
     return noise_.strength > 0 && noise_.size > 0 ? radii_[noise_.size] : 0;
   }
 
@@ -142,8 +144,7 @@ public:
       take_noise_off(std::move(*space_));
       return merged(cell_size);
     }
-    return kept(is_of_lines_ ? space_->tree() : without_thin_components(std::move(*space_)),
-                cell_size);
+    return kept(without_thin_components(std::move(*space_)), cell_size);
   }
 
 private:
@@ -178,6 +179,12 @@ private:
       for(std::size_t i : on_lines)
         result[i] = false;
     return result;
+  }
+
+  /// Whether a component is on a line of a cloud of lines: it is no outlier, however sparse.
+  bool is_twig(std::size_t i, const Gaussians& mixture) const
+  {
+    return is_of_lines_ && is_on_lines(i, mixture, nearest_);
   }
 
   Scale_space initial_scale_space() const
@@ -354,7 +361,7 @@ private:
 
   /// Drops components of low density near a dense surface, the tail of its noise, and returns them.
   /// A thin limb moves away from its tail and becomes dense: what is near is told by the places
-  /// before anything moved, and what has become denser itself is no tail.
+  /// before anything moved, and what has become denser itself is no tail. Neither are twigs.
   std::vector<std::size_t> drop_thin(const std::vector<double>& densities)
   {
     if(first_densities_.empty())
@@ -391,7 +398,7 @@ private:
     });
     std::vector<std::size_t> dropped;
     for(std::size_t i = 0; i < drop.size(); ++i)
-      if(drop[i]) {
+      if(drop[i] && !is_twig(i, moving_.mixture)) {
         moving_.is_outlier[i] = true;
         dropped.push_back(i);
       }

@@ -38,7 +38,8 @@ namespace internal {
 /// area if less than a third of the boundary was seen: where limbs join, vertices stay. In an open
 /// limb there is none if less than half was seen (a leaf), or if it is scattered (a twig in leaf).
 /// Then the target is the L1-median of the points of the cross-section, so that the curve stays on
-/// them, and the radius is their median distance from it.
+/// them, and the radius is their median distance from it. In between, along half of a trunk, the
+/// target is between both: it would jump from one to the other, and the curve would wave.
 /// The positions x minimise the squared distances to the targets plus a bending energy,
 ///
 ///     sum w |x - c|^2 + sum (l / h)^4 |second difference of x|^2
@@ -160,9 +161,10 @@ private:
     // with a gap of 240 degrees.
     constexpr double half_unknown = CGAL_PI;
     const double weight = 1 - section.unknown / half_unknown;
-    if(section.area > 0 && weight > least_weight && (!is_open(vertex) || has_area(vertex, weight)))
-      return {vertex.position, in_space(section.center), weight,
-              (std::max)(radius, std::sqrt(section.area / CGAL_PI)), true, 0};
+    const double share = section.area > 0 && weight > least_weight ? share_of_area(vertex, weight) : 0;
+    const double area_radius = (std::max)(radius, std::sqrt(section.area / CGAL_PI));
+    if(share == 1)
+      return {vertex.position, in_space(section.center), weight, area_radius, true, 0};
     if(points.empty() || !is_open(vertex))
       return not_drawn(v, radius);
     const Eigen::Vector2d median =
@@ -171,16 +173,27 @@ private:
     for(const Eigen::Vector2d& p : points)
       distances.push_back((p - median).norm());
     const double spread = quantile(std::move(distances), 0.5);
-    return {vertex.position, in_space(median), 1, (std::max)(vertex.resolution, spread),
-            false, spread};
+    const double point_radius = (std::max)(vertex.resolution, spread);
+    if(share == 0)
+      return {vertex.position, in_space(median), 1, point_radius, false, spread};
+    const auto mean = [share](const auto& of_points, const auto& of_area) {
+      return (1 - share) * of_points + share * of_area;
+    };
+    return {vertex.position, in_space(mean(median, section.center)), mean(1., weight),
+            mean(point_radius, area_radius), false, 0};
   }
 
-  /// Whether a cross-section of an open limb has an area: it is a limb, and the gap of its boundary
-  /// is less than 180 degrees, or the centroid of what was seen would be beside its points.
-  bool has_area(const Skeleton_graph::Vertex& vertex, double weight) const
+  /// How much the area of a cross-section counts beside its points, in [0, 1]. In an open limb not
+  /// at all if it is scattered, or if the gap of the boundary is more than 180 degrees: the centroid
+  /// of what was seen would be beside its points; with a gap of 120 degrees only the area does.
+  double share_of_area(const Skeleton_graph::Vertex& vertex, double weight) const
   {
-    constexpr double half_seen = 1. / 3; // the weight with a gap of 180 degrees
-    return vertex.evidence >= options_.limb_evidence && weight > half_seen;
+    constexpr double half_seen = 1. / 3, mostly_seen = 2. / 3; // the weights with these gaps
+    if(!is_open(vertex))
+      return 1;
+    if(vertex.evidence < options_.limb_evidence)
+      return 0;
+    return std::clamp((weight - half_seen) / (mostly_seen - half_seen), 0., 1.);
   }
 
   /// Ignores centroids outside the shape.

@@ -23,7 +23,7 @@ struct Linking_options
   /// Length of all open limbs that end freely in the reading as a frame, in (0, 1), relative to
   /// that in the reading as a tree: with less, it is a frame. Wire frames with gaps leave up to
   /// 0.06, handles as thin as the noise 0.04, crowns in leaf 0.23 and more, trees 0.5, plants 0.9;
-  /// of trees of a few hundred points all but two of 75 leave 0.14 and more.
+  /// sparse trees of a few hundred points 0.11 and more.
   double loose_share = 0.1;
 
   /// Strength of the noise, in (0, 1), above which it spoils how coplanar patches are.
