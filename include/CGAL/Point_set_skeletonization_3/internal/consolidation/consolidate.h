@@ -158,11 +158,11 @@ private:
     return result;
   }
 
-  /// Components far from all others are outliers; unless nearly all of these are on lines: then they
-  /// are twigs thinner than the spacing, whose few points are further apart, and only those that are
-  /// not on lines are outliers. Of such twigs 87 % and more are; of what a scanner sees between two
-  /// limbs, which is spread along its rays, up to 63 %. Along a line the spacing varies with the
-  /// density of the points, on a surface with the root of it.
+  /// Components far from all others are outliers; unless nearly all of these are on lines: then
+  /// they are twigs thinner than the spacing, whose few points are further apart, and only those
+  /// that are not on lines are outliers. Of such twigs 87 % and more are; of what a scanner sees
+  /// between two limbs, which is spread along its rays, up to 63 %. Along a line the spacing varies
+  /// with the density of the points, on a surface with the root of it.
   std::vector<bool> isolated_components(const Gaussians& mixture) const
   {
     constexpr double nearly_all = 0.75;

@@ -161,7 +161,8 @@ private:
     // with a gap of 240 degrees.
     constexpr double half_unknown = CGAL_PI;
     const double weight = 1 - section.unknown / half_unknown;
-    const double share = section.area > 0 && weight > least_weight ? share_of_area(vertex, weight) : 0;
+    const double share =
+      section.area > 0 && weight > least_weight ? share_of_area(vertex, weight) : 0;
     const double area_radius = (std::max)(radius, std::sqrt(section.area / CGAL_PI));
     if(share == 1)
       return {vertex.position, in_space(section.center), weight, area_radius, true, 0};
@@ -184,8 +185,8 @@ private:
   }
 
   /// How much the area of a cross-section counts beside its points, in [0, 1]. In an open limb not
-  /// at all if it is scattered, or if the gap of the boundary is more than 180 degrees: the centroid
-  /// of what was seen would be beside its points; with a gap of 120 degrees only the area does.
+  /// at all if it is scattered, or if the gap of the boundary is more than 180 degrees: the
+  /// centroid of what was seen would be beside its points; from 120 degrees on only the area does.
   double share_of_area(const Skeleton_graph::Vertex& vertex, double weight) const
   {
     constexpr double half_seen = 1. / 3, mostly_seen = 2. / 3; // the weights with these gaps

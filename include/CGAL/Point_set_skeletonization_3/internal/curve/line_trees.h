@@ -76,8 +76,8 @@ private:
     return result;
   }
 
-  /// Makes each patch of a twig a vertex, on a line a cross-section, and each connected part of what
-  /// is left of a piece.
+  /// Makes each patch of a twig a vertex, on a line a cross-section, and each connected part of
+  /// what is left of a piece.
   void divide_pieces()
   {
     Union_find left(patches_.size());

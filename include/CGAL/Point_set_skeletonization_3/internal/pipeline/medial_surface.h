@@ -52,7 +52,8 @@ inline Surface surface_of(Consolidated_mixture& consolidated, const Surface_opti
   const Patches fine = estimate_patches(components, consolidated.neighbors, options, concurrency);
   consolidated.neighbors = K_nearest_neighbors();
   return build_surface(components, consolidated.tree, fine,
-                       connected_groups(flat, fine), consolidated.is_of_lines, options, concurrency);
+                       connected_groups(flat, fine), consolidated.is_of_lines, options,
+                       concurrency);
 }
 
 /// Stage 2: returns the denoised surface of mixture components and its medial samples. `cell_size`
