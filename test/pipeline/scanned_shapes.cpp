@@ -162,7 +162,8 @@ TEST_CASE("Twigs of a few points across are no noise: most tips of a sparse scan
 TEST_CASE("Twigs of single points, further apart than the twigs, are found in a sparse sample")
 {
   // Found 0.38 and 0.41 of while they were outliers, or one piece without a cross-section; 0.63
-  // and 0.64 while their patches were merged and they were drawn together as noise is.
+  // and 0.64 while their patches were merged and they were drawn together as noise is; 0.71 and 0.79
+  // while a twig had to have as many points as a ring.
   const unsigned int seed = GENERATE(2021u, 2024u);
   CAPTURE(seed);
   const shapes::Known_shape tree = shapes::scanned_shape("tree", seed);
@@ -171,7 +172,7 @@ TEST_CASE("Twigs of single points, further apart than the twigs, are found in a 
   const Graph_counts counts = count_graph(skeleton);
   CHECK(counts.components == 1);
   CHECK(counts.cycles == 0);
-  CHECK(share_found(tree, skeleton, points) > 0.68);
+  CHECK(share_found(tree, skeleton, points) > 0.8);
 }
 
 TEST_CASE("Wires go on behind others that hide them: a frame scanned from one place has its loops")
