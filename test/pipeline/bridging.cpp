@@ -59,6 +59,27 @@ TEST_CASE("A limb goes on behind a gap as long as it is thick")
   }
 }
 
+TEST_CASE("Half of a trunk, seen from one side, goes on behind a gap as long as it is thick")
+{
+  // In two parts while its radius at a tip was that of the nearest patch.
+  constexpr double radius = 0.05;
+  for(const unsigned int seed : seeds) {
+    CAPTURE(seed);
+    shapes::Random random(seed);
+    std::vector<Vector> points;
+    for(int i = 0; i < 8000; ++i) {
+      const double z = random.uniform(0, 1);
+      const double angle = random.uniform(-shapes::pi / 2, shapes::pi / 2);
+      if(std::abs(z - 0.5) > radius)
+        points.push_back(Vector(radius * std::cos(angle), radius * std::sin(angle), z));
+    }
+    const Graph_counts counts = counts_of(points);
+    CHECK(counts.components == 1);
+    CHECK(counts.cycles == 0);
+    CHECK(counts.ends == 2);
+  }
+}
+
 TEST_CASE("A bridge makes no loop: a ring with a gap in it stays open")
 {
   for(const unsigned int seed : seeds) {

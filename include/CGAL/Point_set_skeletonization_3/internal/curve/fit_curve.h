@@ -78,6 +78,7 @@ public:
     measure_radii();
     const std::vector<std::size_t> vertex_of_sample = vertices_of_samples();
     const std::vector<std::vector<Vector3>> surface = points_of_vertices(vertex_of_sample);
+    widen_open_limbs(surface);
     bridge_gaps(graph_, surface, options_);
     std::vector<double> points = numbers_of_points(vertex_of_sample);
     join_fragments(graph_, points, options_);
@@ -109,6 +110,22 @@ public:
   const std::vector<bool>& is_outlier() const { return is_outlier_; }
 
 private:
+  /// Makes the radius of a vertex of an open limb at least the median distance of its points. Its
+  /// other side was not seen, so the distance to the nearest patch tells nothing, and how far a tip
+  /// points, and where to, would depend on it. O(n). `surface[v]` are the points of vertex v
+  void widen_open_limbs(const std::vector<std::vector<Vector3>>& surface)
+  {
+    for(std::size_t v = 0; v < surface.size(); ++v) {
+      Skeleton_graph::Vertex& vertex = graph_.vertices[v];
+      if(!is_open(vertex) || surface[v].empty())
+        continue;
+      std::vector<double> distances;
+      for(const Vector3& p : surface[v])
+        distances.push_back((p - vertex.position).norm());
+      vertex.radius = (std::max)(vertex.radius, quantile(std::move(distances), 0.5));
+    }
+  }
+
   /// Resamples to the steps that the options ask for, or longer ones (where points coincide): a
   /// skeleton has no more vertices than samples. On lines, steps are short: it turns at each point.
   void resample()
