@@ -72,12 +72,12 @@ inline bool is_in_sheet(std::size_t i, const Gaussians& components, const Box_tr
 /// Whether a cloud is one of lines, as a sparse scan of a tree, whose twigs are single rows of
 /// points. There, what is sparse is neither an outlier nor the tail of noise, but what the cloud is
 /// made of; so the sparser half of the components is asked: many are on lines, and not in a sheet.
-/// Of sparse samples of trees 34 to 79 % are, of scanned crowns in leaf and of trees scanned with a
-/// few beams at most 42 %, of surfaces less than 10 %. Where there are too few components to see
-/// the surface of a leaf, and detail is worth more than smoothness (`Grid_options::minimum_cells`),
-/// fewer on lines are enough: of small samples of crowns 11 to 41 % are, of closed shapes at most
-/// 28 %. Rows of a scanner of few beams are lines as well, until `with_rows_merged()`. O(n), at most
-/// 2000 components are asked.
+/// Of sparse samples of trees 34 to 79 % are, of scanned crowns in leaf at most 41 %, of trees
+/// scanned with a few beams less than 43 %, of surfaces of many points less than 10 %. Where there
+/// are too few components to see the surface of a leaf, and detail is worth more than smoothness
+/// (`Grid_options::minimum_cells`), fewer are enough: of small samples of crowns 11 to 41 % are, of
+/// closed shapes at most 28 %. Rows of a scanner of few beams are lines as well, until
+/// `with_rows_merged()`. O(n), at most 2000 components are asked.
 /// \param nearest of the components, each first itself
 inline bool is_cloud_of_lines(const Gaussians& components, const Box_tree& tree,
                               const K_nearest_neighbors& nearest)

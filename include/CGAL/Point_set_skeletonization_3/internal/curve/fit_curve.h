@@ -112,7 +112,7 @@ public:
 private:
   /// Makes the radius of a vertex of an open limb at least the median distance of its points. Its
   /// other side was not seen, so the distance to the nearest patch tells nothing, and how far a tip
-  /// points, and where to, would depend on it. O(n). `surface[v]` are the points of vertex v
+  /// points, and where to, would depend on it. `surface[v]` are the points of vertex v. O(n).
   void widen_open_limbs(const std::vector<std::vector<Vector3>>& surface)
   {
     for(std::size_t v = 0; v < surface.size(); ++v) {
