@@ -14,9 +14,9 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/handle_fronts.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/line_trees.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/path_trees.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/stray_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
-#include <CGAL/Point_set_skeletonization_3/internal/curve/wave_fronts.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Ball_overlaps.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Separator_options.h>
 
@@ -314,31 +314,56 @@ TEST_CASE("Fronts around a handle keep what is attached to the piece")
           .norm() < 0.5 * surfaces::ring_radius);
 }
 
-TEST_CASE("Wave fronts in pieces of a tube leave it a tree, in those of a torus one cycle")
+TEST_CASE("Trees of paths in pieces have each patch at a vertex and close no cycle")
 {
   const std::vector<int> rings = {5, 25};
   for(const Tube& tube : {surfaces::tube, surfaces::torus}) {
     const Patches patches = tube.patches();
     const Surface_quotient quotient = quotient_of(tube, rings);
-    const auto with_fronts = [&](bool is_marked) {
-      return with_wave_fronts(quotient, patches, surfaces::samples_of(patches),
-                              adjacent_pairs(patches),
-                              std::vector<bool>(patches.size(), is_marked));
+    const auto with_trees = [&](bool is_marked) {
+      return with_path_trees(quotient, patches, surfaces::samples_of(patches),
+                             adjacent_pairs(patches), std::vector<bool>(patches.size(), is_marked),
+                             Concurrency::parallel);
     };
-    const Surface_quotient fronts = with_fronts(true), same = with_fronts(false);
-    CHECK(fronts.graph.vertices.size() > quotient.graph.vertices.size());
-    CHECK(number_of_components(fronts.graph) == 1);
-    CHECK(number_of_cycles(fronts.graph) == (tube.is_closed ? 1 : 0));
+    const Surface_quotient trees = with_trees(true), same = with_trees(false);
+    CHECK(number_of_components(trees.graph) == 1);
+    CHECK(number_of_cycles(trees.graph) == 0);
     CHECK(same.graph.edges == quotient.graph.edges);
     CHECK(same.vertex_of_patch == quotient.vertex_of_patch);
-    for(std::size_t i = 0; i < patches.size(); ++i) { // each patch is at its vertex
-      const auto& members = fronts.members[fronts.vertex_of_patch[i]];
+    for(std::size_t i = 0; i < patches.size(); ++i) {
+      const auto& members = trees.members[trees.vertex_of_patch[i]];
       CHECK(std::count(members.begin(), members.end(), i) == 1);
     }
+    for(std::size_t s = 0; s < rings.size(); ++s) // separators stay
+      for(std::size_t i : quotient.members[s])
+        CHECK(trees.vertex_of_patch[i] == s);
   }
 }
 
-TEST_CASE("Wave fronts follow scattered points around a corner, where their middle is in the air")
+TEST_CASE("What has no cross-section between unresolved patches is as these, unless it is the most")
+{
+  // All of a tube is one piece, of which one half is resolved, and a third of the other.
+  const Tube& tube = surfaces::tube;
+  const Patches patches = tube.patches();
+  const Surface_quotient quotient = quotient_of(tube, {});
+  const auto loose_if_unresolved_until = [&](int ring) {
+    std::vector<bool> is_unresolved;
+    for(std::size_t i = 0; i < patches.size(); ++i)
+      is_unresolved.push_back(i < tube.index(ring, 0));
+    const std::vector<bool> loose =
+      loose_patches(quotient, adjacent_pairs(patches), is_unresolved);
+    CHECK(std::equal(is_unresolved.begin(),
+                     is_unresolved.begin() + static_cast<std::ptrdiff_t>(tube.index(ring, 0)),
+                     loose.begin()));
+    return std::count(loose.begin(), loose.end(), true);
+  };
+  const auto size = static_cast<std::ptrdiff_t>(patches.size());
+  CHECK(loose_if_unresolved_until(tube.along / 3) ==
+        static_cast<std::ptrdiff_t>(tube.index(tube.along / 3, 0)));
+  CHECK(loose_if_unresolved_until(2 * tube.along / 3) == size);
+}
+
+TEST_CASE("A tree of paths follows scattered points around a corner: their middle is in the air")
 {
   // A grid in the form of an L, of 24 x 4 x 4 patches and another 4 x 24 x 4.
   constexpr int length = 24, width = 4;
@@ -379,20 +404,20 @@ TEST_CASE("Wave fronts follow scattered points around a corner, where their midd
       result = std::min(result, (patch.mean - p).norm());
     return result;
   };
-  const Skeleton_graph fronts =
-    with_wave_fronts(piece, patches, samples, adjacent_pairs(patches),
-                     std::vector<bool>(patches.size(), true))
+  const Skeleton_graph tree =
+    with_path_trees(piece, patches, samples, adjacent_pairs(patches),
+                    std::vector<bool>(patches.size(), true), Concurrency::sequential)
       .graph;
-  CHECK(number_of_components(fronts) == 1);
-  CHECK(number_of_cycles(fronts) == 0);
+  CHECK(number_of_components(tree) == 1);
+  CHECK(number_of_cycles(tree) == 0);
   CHECK(distance(piece.graph.vertices[0].position) > 1);
-  for(const Skeleton_graph::Vertex& vertex : fronts.vertices)
+  for(const Skeleton_graph::Vertex& vertex : tree.vertices)
     CHECK(distance(vertex.position) < 1);
-  // From one end to the other, but for half a front.
-  double length_of_path = 0;
-  for(const Skeleton_graph::Edge& e : fronts.edges)
+  double length_of_path = 0; // from one end to the other
+  for(const Skeleton_graph::Edge& e : tree.edges)
     length_of_path +=
-      (fronts.vertices[e.first].position - fronts.vertices[e.second].position).norm();
+      (tree.vertices[e.first].position - tree.vertices[e.second].position).norm();
+  CHECK(number_of_ends(tree) < 5);
   CHECK(length_of_path > 1.5 * (length - width));
 }
 

@@ -66,7 +66,7 @@ inline bool is_in_sheet(std::size_t i, const Gaussians& components, const Box_tr
                       ++n;
                     });
   const Matrix3 covariance = products / n - sum * sum.transpose() / (n * n);
-  return dimensionality(covariance, n, n).kind() == Medial_sample_kind::sheet;
+  return dimensionality(covariance, n).kind() == Medial_sample_kind::sheet;
 }
 
 /// Whether a cloud is one of lines, as a sparse scan of a tree, whose twigs are single rows of

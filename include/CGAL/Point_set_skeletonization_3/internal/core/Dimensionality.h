@@ -19,7 +19,6 @@ namespace internal {
 struct Dimensionality
 {
   double linearity = 0, planarity = 0, scattering = 0;
-  double patches = 0;    ///< How many.
   double components = 0; ///< How many mixture components they are made of.
 
   /// Whichever is greatest; they are a line or a sheet if it is more than what as few scattered
@@ -30,24 +29,16 @@ struct Dimensionality
       return Medial_sample_kind::scatter;
     return linearity > planarity ? Medial_sample_kind::line : Medial_sample_kind::sheet;
   }
-
-  /// Whether they are scattered by more than what as few patches of a line or a sheet show by
-  /// chance: large flat patches are few.
-  bool is_clearly_scattered() const
-  {
-    return scattering - (std::max)(linearity, planarity) > anisotropy_by_chance(patches);
-  }
 };
 
 /// Returns what patches of this covariance are like. O(1).
-inline Dimensionality dimensionality(const Matrix3& covariance, double patches, double components)
+inline Dimensionality dimensionality(const Matrix3& covariance, double components)
 {
   const Vector3 deviations = principal_axes(covariance).variances.cwiseSqrt(); // ascending
   if(!(deviations[2] > 0))
-    return {0, 0, 0, patches, components};
+    return {0, 0, 0, components};
   return {(deviations[2] - deviations[1]) / deviations[2],
-          (deviations[1] - deviations[0]) / deviations[2], deviations[0] / deviations[2], patches,
-          components};
+          (deviations[1] - deviations[0]) / deviations[2], deviations[0] / deviations[2], components};
 }
 
 } // namespace internal

@@ -4,24 +4,24 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_REFINED_QUOTIENT_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_REFINED_QUOTIENT_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
-
-/// Distance of one front to the next, in spacings: what is smaller than the surroundings in which
-/// the kind of a place is known is no shape.
-constexpr double front_distance = 3;
 
 /// A quotient in which pieces are replaced by fronts: parts of the piece, one after the other along
 /// a limb, each a vertex in its middle.
@@ -44,8 +44,17 @@ public:
   std::size_t add_front(bool is_cross_section = true)
   {
     members_.emplace_back();
+    places_.emplace_back();
     is_front_cross_section_.push_back(is_cross_section);
     return members_.size() - 1;
+  }
+
+  /// Adds a cross-section that is at a place, not in the middle of its patches.
+  std::size_t add_front_at(const Vector3& place)
+  {
+    const std::size_t result = add_front();
+    places_.back() = place;
+    return result;
   }
 
   /// Adds a patch to a front.
@@ -53,6 +62,27 @@ public:
   {
     members_[front].push_back(patch);
     vertex_of_patch_[patch] = front;
+  }
+
+  /// Takes patches out of their pieces, to be added to fronts. Each connected part of what is left
+  /// of such a piece is a vertex, with edges to its neighbours where it touches them. Returns the
+  /// sets of connected vertices, with room for a front of each patch. To be called once. O(n log n).
+  Union_find take_out(const std::vector<bool>& is_out, const std::vector<Patch_pair>& pairs)
+  {
+    const std::vector<std::size_t>& piece = quotient_.vertex_of_patch;
+    Union_find left(is_out.size());
+    for(const Patch_pair& pair : pairs)
+      if(piece[pair.a] == piece[pair.b] && !is_out[pair.a] && !is_out[pair.b])
+        left.join(pair.a, pair.b);
+    for(std::size_t i = 0; i < is_out.size(); ++i)
+      if(is_out[i])
+        remove(piece[i]);
+    for(std::size_t v = 0; v < is_removed_.size(); ++v)
+      if(is_removed_[v])
+        for(std::size_t i : quotient_.members[v]) // ascending; the root of a set is its smallest
+          if(!is_out[i])
+            add_to_front(left.find(i) == i ? add_front(false) : vertex_of(left.find(i)), i);
+    return join_what_is_left(is_out, pairs);
   }
 
   /// Adds an edge.
@@ -79,9 +109,14 @@ public:
       result.graph.vertices.push_back(
         is_front ? middle(members_[v], patches, samples, Average::mean)
                  : quotient_.graph.vertices[v]);
-      if(is_front)
-        result.graph.vertices.back().is_cross_section =
-          is_front_cross_section_[v - is_removed_.size()];
+      if(is_front) {
+        const std::size_t front = v - is_removed_.size();
+        result.graph.vertices.back().is_cross_section = is_front_cross_section_[front];
+        if(places_[front]) {
+          result.graph.vertices.back().position = *places_[front];
+          result.graph.vertices.back().is_on_line = true;
+        }
+      }
       result.members.push_back(std::move(members_[v]));
     }
     for(const Skeleton_graph::Edge& e : edges_)
@@ -97,6 +132,29 @@ public:
   }
 
 private:
+  /// Adds the edges of removed pieces that are left. Returns the sets of connected vertices.
+  Union_find join_what_is_left(const std::vector<bool>& is_out,
+                               const std::vector<Patch_pair>& pairs)
+  {
+    Union_find sets(number_of_vertices() + is_out.size());
+    std::set<Skeleton_graph::Edge> edges_of_removed, left;
+    for(const Skeleton_graph::Edge& e : quotient_.graph.edges)
+      if(is_removed_[e.first] || is_removed_[e.second])
+        edges_of_removed.insert(std::minmax(e.first, e.second));
+      else
+        sets.join(e.first, e.second);
+    for(const Patch_pair& pair : pairs)
+      if(!is_out[pair.a] && !is_out[pair.b] &&
+         edges_of_removed.count(std::minmax(quotient_.vertex_of_patch[pair.a],
+                                            quotient_.vertex_of_patch[pair.b])) > 0)
+        left.insert(std::minmax(vertex_of(pair.a), vertex_of(pair.b)));
+    for(const Skeleton_graph::Edge& e : left) {
+      sets.join(e.first, e.second);
+      add_edge(e.first, e.second);
+    }
+    return sets;
+  }
+
   const Surface_quotient& quotient_;
 
   // Of the vertices of the quotient, then of the fronts.
@@ -104,6 +162,7 @@ private:
   std::vector<std::size_t> vertex_of_patch_;
   std::vector<bool> is_removed_; ///< Of the vertices of the quotient only.
   std::vector<bool> is_front_cross_section_; ///< Of the fronts only.
+  std::vector<std::optional<Vector3>> places_; ///< Of the fronts only.
   std::vector<Skeleton_graph::Edge> edges_; ///< New ones.
 };
 

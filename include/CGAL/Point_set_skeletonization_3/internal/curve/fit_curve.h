@@ -100,8 +100,14 @@ public:
     for(std::size_t v = 0; v < distances.size(); ++v)
       if(distances[v] > 0)
         graph_.vertices[v].radius = distances[v];
+    std::vector<std::vector<Vector3>> points = points_of_vertices();
     if(noise_ > 0)
-      correct_radii(points_of_vertices());
+      correct_radii(points);
+    const std::vector<std::vector<Vector3>> denoised = components_of_vertices();
+    for(std::size_t v = 0; v < points.size(); ++v)
+      if(!graph_.vertices[v].is_on_line) // what is scattered around a twig is no noise, but leaves
+        points[v] = denoised[v];
+    widen_open_limbs(points);
   }
 
   const Skeleton_graph& graph() const { return graph_; }

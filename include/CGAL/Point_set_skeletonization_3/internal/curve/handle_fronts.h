@@ -151,6 +151,7 @@ private:
   Handle_levels levels_of(const Handle& handle)
   {
     constexpr double fewest = 4; // a curve around the handle
+    constexpr double front_distance = 3; // spacings: what is smaller than that is no shape
     const std::vector<std::size_t>& members = quotient_.members[handle.piece];
     const Local_separator& separator = separators_[handle.separator];
     const std::vector<double> from = distances(handle.piece, separator.sides[1]),

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -33,19 +32,16 @@ public:
              const std::vector<Patch_pair>& pairs, const std::vector<bool>& is_of_twig,
              const std::vector<bool>& is_on_line)
     : quotient_(quotient), patches_(patches), pairs_(pairs), is_on_line_(is_on_line),
-      is_replaced_(twigs_of_pieces(is_of_twig)),
-      is_divided_(quotient.members.size(), false), result_(quotient)
-  {
-    for(std::size_t i = 0; i < patches.size(); ++i)
-      if(is_replaced_[i])
-        is_divided_[quotient.vertex_of_patch[i]] = true;
-  }
+      is_replaced_(twigs_of_pieces(is_of_twig)), result_(quotient)
+  {}
 
   /// Returns the quotient with trees of the patches of twigs. To be called once. O(n log n).
   Surface_quotient run(const Samples& samples)
   {
-    divide_pieces();
-    Union_find sets = with_edges_left();
+    Union_find sets = result_.take_out(is_replaced_, pairs_);
+    for(std::size_t i = 0; i < is_replaced_.size(); ++i)
+      if(is_replaced_[i]) // on a line, a cross-section
+        result_.add_to_front(result_.add_front(is_on_line_[i]), i);
     std::vector<Bridge> bridges;
     for(const Patch_pair& pair : pairs_)
       if(is_replaced_[pair.a] || is_replaced_[pair.b])
@@ -76,56 +72,11 @@ private:
     return result;
   }
 
-  /// Makes each patch of a twig a vertex, on a line a cross-section, and each connected part of
-  /// what is left of a piece.
-  void divide_pieces()
-  {
-    Union_find left(patches_.size());
-    for(const Patch_pair& pair : pairs_)
-      if(quotient_.vertex_of_patch[pair.a] == quotient_.vertex_of_patch[pair.b] &&
-         !is_replaced_[pair.a] && !is_replaced_[pair.b])
-        left.join(pair.a, pair.b);
-    for(std::size_t v = 0; v < is_divided_.size(); ++v) {
-      if(!is_divided_[v])
-        continue;
-      result_.remove(v);
-      for(std::size_t i : quotient_.members[v]) // ascending; the root of a set is its smallest
-        if(is_replaced_[i] || left.find(i) == i)
-          result_.add_to_front(result_.add_front(is_replaced_[i] && is_on_line_[i]), i);
-        else
-          result_.add_to_front(result_.vertex_of(left.find(i)), i);
-    }
-  }
-
-  /// Adds the edges of pieces to what is left of them where that touches the neighbour. Returns the
-  /// vertices that are connected.
-  Union_find with_edges_left()
-  {
-    Union_find sets(result_.number_of_vertices());
-    std::set<Skeleton_graph::Edge> edges_of_divided, left;
-    for(const Skeleton_graph::Edge& e : quotient_.graph.edges)
-      if(is_divided_[e.first] || is_divided_[e.second])
-        edges_of_divided.insert(std::minmax(e.first, e.second));
-      else
-        sets.join(e.first, e.second);
-    for(const Patch_pair& pair : pairs_)
-      if(!is_replaced_[pair.a] && !is_replaced_[pair.b] &&
-         edges_of_divided.count(std::minmax(quotient_.vertex_of_patch[pair.a],
-                                            quotient_.vertex_of_patch[pair.b])) > 0)
-        left.insert(std::minmax(result_.vertex_of(pair.a), result_.vertex_of(pair.b)));
-    for(const Skeleton_graph::Edge& e : left) {
-      sets.join(e.first, e.second);
-      result_.add_edge(e.first, e.second);
-    }
-    return sets;
-  }
-
   const Surface_quotient& quotient_;
   const Patches& patches_;
   const std::vector<Patch_pair>& pairs_;
   const std::vector<bool>& is_on_line_;
   std::vector<bool> is_replaced_; ///< Of each patch.
-  std::vector<bool> is_divided_;  ///< Of each vertex.
   Refined_quotient result_;
 };
 

@@ -45,7 +45,7 @@ inline Dimensionality dimensionality_around(const Surface& surface, std::size_t 
     components += static_cast<double>(surface.patches[other].components);
   });
   const Matrix3 covariance = products / number - sum * sum.transpose() / (number * number);
-  return dimensionality(covariance, number, components);
+  return dimensionality(covariance, components);
 }
 
 /// Returns what each sample is in the middle of. O(n log n).
@@ -74,42 +74,57 @@ inline bool is_straight(const Patches& patches, std::size_t i)
   return are_straight(number, [&](std::size_t k) -> const Vector3& { return near[k]; });
 }
 
-/// What the patches are among whose other side was not seen; neither of these is a sheet.
+/// Patches of limbs that are not resolved: their other side was not seen, and they are in no sheet.
 struct Unresolved_patches
 {
-  std::vector<bool> is_on_line;   ///< Points of twigs, however close the next twig is.
-  std::vector<bool> is_scattered; ///< As the leaves of a crown.
+  std::vector<bool> is_unresolved;
+  std::vector<bool> is_on_line; ///< In a cloud of lines: points of twigs, however close the next is.
 };
 
-/// Returns what each patch is among. From afar many twigs are scattered, therefore the nearest
-/// neighbours are looked at first. A sheet that is made of lines is one of twigs in a cloud of
-/// lines, and of leaves elsewhere; there are no leaves in a cloud of lines, whatever is scattered
-/// there by its kind is. O(n log n).
-inline Unresolved_patches unresolved_patches(const Surface& surface, const Samples& samples)
+/// Returns the unresolved patches of a cloud of lines. From afar many twigs are scattered, therefore
+/// the nearest neighbours are looked at first. There are no leaves, whatever is scattered there by
+/// its kind is of twigs. O(n log n).
+inline Unresolved_patches twig_patches(const Surface& surface, const Samples& samples)
 {
   const Patches& patches = surface.patches;
   Unresolved_patches result{std::vector<bool>(patches.size(), false),
                             std::vector<bool>(patches.size(), false)};
-  enum : char { unknown, straight, not_straight };
-  std::vector<char> seen(patches.size(), unknown); // few are looked at in most shapes
-  const auto is_straight_patch = [&](std::size_t k) {
-    if(seen[k] == unknown)
-      seen[k] = is_straight(patches, k) ? straight : not_straight;
-    return seen[k] == straight;
-  };
+  std::vector<bool> is_straight_patch;
+  for(std::size_t i = 0; i < patches.size(); ++i)
+    is_straight_patch.push_back(is_straight(patches, i));
   for(std::size_t i = 0; i < patches.size(); ++i) {
     if(is_off_surface(samples[i], patches[i]))
       continue;
     Straightness straightness;
-    visit_surroundings(surface, i,
-                       [&](std::size_t k) { straightness.add(is_straight_patch(k)); });
-    const Dimensionality around = dimensionality_around(surface, i);
-    const bool is_on_lines = straightness.is_on_lines();
-    const bool is_sheet = around.kind() == Medial_sample_kind::sheet;
-    result.is_on_line[i] = is_on_lines && (surface.is_of_lines || !is_sheet);
-    result.is_scattered[i] =
-      !is_on_lines && (surface.is_of_lines ? around.kind() == Medial_sample_kind::scatter
-                                           : around.is_clearly_scattered());
+    visit_surroundings(surface, i, [&](std::size_t k) { straightness.add(is_straight_patch[k]); });
+    result.is_on_line[i] = straightness.is_on_lines();
+    result.is_unresolved[i] =
+      result.is_on_line[i] ||
+      dimensionality_around(surface, i).kind() == Medial_sample_kind::scatter;
+  }
+  return result;
+}
+
+/// Returns the unresolved patches. Those of a cloud that is not of lines are what most around them
+/// are: at the rim of a sheet there are few patches to see it by, and scattered leaves may have
+/// another by chance where their other side would be. O(n log n).
+inline Unresolved_patches unresolved_patches(const Surface& surface, const Samples& samples)
+{
+  if(surface.is_of_lines)
+    return twig_patches(surface, samples);
+  const std::size_t size = surface.patches.size();
+  std::vector<bool> seems_unresolved(size);
+  for(std::size_t i = 0; i < size; ++i)
+    seems_unresolved[i] = !is_off_surface(samples[i], surface.patches[i]) &&
+                  dimensionality_around(surface, i).kind() != Medial_sample_kind::sheet;
+  Unresolved_patches result{std::vector<bool>(size), std::vector<bool>(size, false)};
+  for(std::size_t i = 0; i < size; ++i) {
+    std::size_t unresolved = 0, all = 0;
+    visit_surroundings(surface, i, [&](std::size_t k) {
+      unresolved += seems_unresolved[k] ? 1 : 0;
+      ++all;
+    });
+    result.is_unresolved[i] = 2 * unresolved > all;
   }
   return result;
 }

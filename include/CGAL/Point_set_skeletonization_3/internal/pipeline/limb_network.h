@@ -12,10 +12,10 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/line_trees.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/loose_ends.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/open_loops.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/path_trees.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/two_edge_connected_components.h>
-#include <CGAL/Point_set_skeletonization_3/internal/curve/wave_fronts.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/sample_kinds.h>
 #include <CGAL/Point_set_skeletonization_3/internal/pipeline/Linking_options.h>
@@ -61,6 +61,14 @@ inline bool is_loop(const Loop& loop, const Skeleton_graph& graph, Limb_reading 
          (reading == Limb_reading::frame || (!seen.is_open() && has_room_for_hole(loop, graph)));
 }
 
+/// Whether more than half of some patches are marked.
+inline bool are_mostly(const std::vector<std::size_t>& members, const std::vector<bool>& is_marked)
+{
+  const auto marked = std::count_if(members.begin(), members.end(),
+                                    [&](std::size_t i) { return is_marked[i]; });
+  return 2 * static_cast<std::size_t>(marked) > members.size();
+}
+
 /// Returns the separators that are not mostly of marked patches, in their order. O(n).
 inline std::vector<Local_separator> without_marked(std::vector<Local_separator> separators,
                                                    const std::vector<bool>& is_marked)
@@ -91,14 +99,15 @@ inline std::vector<Local_separator> without_idle(std::vector<Local_separator> se
 }
 
 /// Moves cross-sections whose middle is outside the shape, as that of a channel or of an arc of the
-/// wall of a pipe, to the nearest sample of their own that is inside. O(patches) at most.
+/// wall of a pipe, to the nearest sample of their own that is inside. What is not resolved has no
+/// inside. O(patches) at most.
 inline void move_inside(Surface_quotient& quotient, const Surface& surface, const Samples& samples,
                         Concurrency concurrency)
 {
   std::vector<std::size_t> cross_sections;
   std::vector<Vector3> middles;
   for(std::size_t v = 0; v < quotient.graph.vertices.size(); ++v)
-    if(quotient.graph.vertices[v].is_cross_section) {
+    if(quotient.graph.vertices[v].is_cross_section && !quotient.graph.vertices[v].is_on_line) {
       cross_sections.push_back(v);
       middles.push_back(quotient.graph.vertices[v].position);
     }
@@ -129,8 +138,9 @@ inline void mark_points_of_twigs(Surface_quotient& quotient, const std::vector<b
 }
 
 /// Returns the network of limbs that separators cut a surface into. In a tree, separators mean
-/// nothing among scattered patches and on lines of points: there are wave fronts and spanning trees
-/// instead. O(n log n) in practice.
+/// nothing where limbs are not resolved: there are trees of paths or, in a cloud of lines, spanning
+/// trees of the points instead. They come before fronts around handles, which would gather twigs.
+/// O(n log n) in practice.
 /// \param candidates from `separator_candidates()`
 inline Limb_network limb_network(const Surface& surface, const Samples& samples,
                                  const Ball_overlaps& overlaps,
@@ -140,27 +150,23 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
 {
   const bool is_frame = reading == Limb_reading::frame;
   const std::vector<bool> none(samples.size(), false);
-  const Unresolved_patches unresolved =
+  const auto [is_unresolved, is_on_line] =
     is_frame ? Unresolved_patches{none, none} : unresolved_patches(surface, samples);
-  std::vector<bool> has_no_rings = unresolved.is_scattered;
-  for(std::size_t i = 0; i < has_no_rings.size(); ++i)
-    has_no_rings[i] = has_no_rings[i] || unresolved.is_on_line[i];
   std::vector<Local_separator> separators =
     without_marked(local_separators(candidates, surface, samples, overlaps, !is_frame,
                                     options.separators, concurrency),
-                   has_no_rings);
-  const std::vector<bool>& is_of_twig = surface.is_of_lines ? has_no_rings : unresolved.is_on_line;
-  const auto with_twigs = [&](Surface_quotient quotient) {
-    return with_line_trees(std::move(quotient), surface.patches, samples, overlaps.pairs(),
-                           is_of_twig, unresolved.is_on_line);
-  };
+                   is_unresolved);
   const auto quotient_of = [&] {
     Surface_quotient quotient =
       surface_quotient(surface.patches, samples, overlaps, separators, concurrency);
-    if(surface.is_of_lines) { // before fronts around a handle gather twigs
-      quotient = with_twigs(std::move(quotient));
-      mark_points_of_twigs(quotient, is_of_twig);
+    if(surface.is_of_lines) {
+      quotient = with_line_trees(std::move(quotient), surface.patches, samples, overlaps.pairs(),
+                                 is_unresolved, is_on_line);
+      mark_points_of_twigs(quotient, is_unresolved);
     }
+    else
+      quotient = with_path_trees(std::move(quotient), surface.patches, samples, overlaps.pairs(),
+                                 is_unresolved, concurrency);
     quotient = with_handle_fronts(std::move(quotient), separators, surface.patches, samples,
                                   overlaps.pairs());
     move_inside(quotient, surface, samples, concurrency);
@@ -180,10 +186,7 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
     quotient = quotient_of();
   }
   Limb_network result;
-  quotient = with_wave_fronts(std::move(quotient), surface.patches, samples, overlaps.pairs(),
-                              unresolved.is_scattered);
-  result.quotient =
-    with_loops_seen(surface.is_of_lines ? std::move(quotient) : with_twigs(std::move(quotient)));
+  result.quotient = with_loops_seen(std::move(quotient));
   result.pruned = prune(result.quotient, surface.patches, overlaps.pairs(), surface.components,
                         surface.groups, options.curve);
   return result;

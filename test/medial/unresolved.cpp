@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Patches of limbs that are not resolved, and where the middle of such limbs is.
+
+#include "surface_of.h"
+
+#include "catch2.h"
+#include "generator/Random.h"
+
+#include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/project_to_lines.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/sample_kinds.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+using namespace CGAL::Point_set_skeletonization_3::internal;
+
+namespace {
+
+constexpr unsigned int seed = 7;
+
+/// Patches at places, without normals, of which the other side was not seen.
+Patches patches_at(const std::vector<Vector3>& places)
+{
+  Patches result;
+  for(const Vector3& place : places) {
+    Patch patch;
+    patch.mean = place;
+    patch.spacing = patch.weight = patch.area = 1;
+    result.push_back(patch);
+  }
+  return result;
+}
+
+Samples samples_on(const Patches& patches)
+{
+  Samples result;
+  for(const Patch& patch : patches)
+    result.push_back({patch.mean, 0});
+  return result;
+}
+
+std::vector<bool> unresolved_at(const std::vector<Vector3>& places)
+{
+  const Patches patches = patches_at(places);
+  return unresolved_patches(surfaces::surface_of(patches), samples_on(patches)).is_unresolved;
+}
+
+} // namespace
+
+TEST_CASE("A sheet is resolved up to its rim, what is scattered or a line is not")
+{
+  CAPTURE(seed);
+  shapes::Random random(seed);
+  std::vector<Vector3> sheet, cloud, line;
+  for(int x = 0; x < 16; ++x)
+    for(int y = 0; y < 16; ++y)
+      sheet.emplace_back(x, y, 0);
+  for(int k = 0; k < 1000; ++k) {
+    const double x = random.uniform(0, 10), y = random.uniform(0, 10), z = random.uniform(0, 10);
+    cloud.emplace_back(x, y, z);
+  }
+  for(int k = 0; k < 40; ++k)
+    line.emplace_back(k, 0, 0);
+  const auto number = [](const std::vector<bool>& marks) {
+    return std::count(marks.begin(), marks.end(), true);
+  };
+  CHECK(number(unresolved_at(sheet)) == 0);
+  CHECK(number(unresolved_at(cloud)) > 900);
+  CHECK(number(unresolved_at(line)) == 40);
+}
+
+TEST_CASE("What has a medial ball is resolved, unless most around it is not")
+{
+  CAPTURE(seed);
+  shapes::Random random(seed);
+  std::vector<Vector3> places;
+  for(int k = 0; k < 1000; ++k) {
+    const double x = random.uniform(0, 10), y = random.uniform(0, 10), z = random.uniform(0, 10);
+    places.emplace_back(x, y, z);
+  }
+  const Patches patches = patches_at(places);
+  const Surface surface = surfaces::surface_of(patches);
+  Samples samples = samples_on(patches);
+  samples[0].position += Vector3(0.5, 0, 0);
+  CHECK(unresolved_patches(surface, samples).is_unresolved[0]);
+  for(std::size_t i = 0; i < patches.size(); ++i)
+    samples[i].position = patches[i].mean + Vector3(0.5, 0, 0);
+  const std::vector<bool> none = unresolved_patches(surface, samples).is_unresolved;
+  CHECK(std::find(none.begin(), none.end(), true) == none.end());
+}
+
+TEST_CASE("Places around a limb go to its middle, and not along it")
+{
+  CAPTURE(seed);
+  shapes::Random random(seed);
+  std::vector<Vector3> places;
+  for(int k = 0; k < 400; ++k) {
+    const Vector3 around = random.normal_vector();
+    places.emplace_back(k / 8., around.y(), around.z());
+  }
+  const std::vector<Vector3> projected = project_to_lines(
+    places, std::vector<double>(places.size(), 1), Concurrency::sequential);
+  double before = 0, after = 0;
+  for(std::size_t i = 50; i < 350; ++i) { // not at the ends
+    before += std::hypot(places[i].y(), places[i].z());
+    after += std::hypot(projected[i].y(), projected[i].z());
+    CHECK(std::abs(projected[i].x() - places[i].x()) < 2);
+  }
+  CHECK(after < 0.5 * before);
+}
+
+TEST_CASE("Places on a line stay, whatever the unit")
+{
+  for(const double unit : {1e-3, 1., 1e3}) {
+    std::vector<Vector3> places;
+    for(int k = 0; k < 30; ++k)
+      places.push_back(unit * k * Vector3(0.6, 0, 0.8));
+    const std::vector<Vector3> projected = project_to_lines(
+      places, std::vector<double>(places.size(), unit), Concurrency::parallel);
+    for(std::size_t i = 0; i < places.size(); ++i)
+      CHECK((projected[i] - places[i]).norm() < 1e-6 * unit);
+  }
+}
