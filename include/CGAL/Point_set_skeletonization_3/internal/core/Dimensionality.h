@@ -38,7 +38,8 @@ inline Dimensionality dimensionality(const Matrix3& covariance, double component
   if(!(deviations[2] > 0))
     return {0, 0, 0, components};
   return {(deviations[2] - deviations[1]) / deviations[2],
-          (deviations[1] - deviations[0]) / deviations[2], deviations[0] / deviations[2], components};
+          (deviations[1] - deviations[0]) / deviations[2], deviations[0] / deviations[2],
+          components};
 }
 
 } // namespace internal

@@ -66,7 +66,8 @@ public:
 
   /// Takes patches out of their pieces, to be added to fronts. Each connected part of what is left
   /// of such a piece is a vertex, with edges to its neighbours where it touches them. Returns the
-  /// sets of connected vertices, with room for a front of each patch. To be called once. O(n log n).
+  /// sets of connected vertices, with room for a front of each patch. To be called once.
+  /// O(n log n). \pre the patches are in pieces
   Union_find take_out(const std::vector<bool>& is_out, const std::vector<Patch_pair>& pairs)
   {
     const std::vector<std::size_t>& piece = quotient_.vertex_of_patch;

@@ -46,17 +46,20 @@ public:
              const std::vector<Patch_pair>& pairs, const std::vector<bool>& is_loose,
              Concurrency concurrency)
     : patches_(patches), places_(std::move(places)), is_loose_(is_loose),
-      tree_(places_, concurrency), result_(quotient), sets_(result_.take_out(is_loose, pairs)),
-      patches_of_set_(result_.number_of_vertices()), set_of_patch_(patches.size(), none),
-      edges_(patches.size() + result_.number_of_vertices()), thickness_(patches.size(), 0),
-      distance_(edges_.size(), infinity), before_(edges_.size()), owner_(patches.size(), none),
+      tree_(places_, concurrency), result_(quotient), set_of_patch_(patches.size(), none),
+      thickness_(patches.size(), 0), owner_(patches.size(), none),
       squared_distance_to_owner_(patches.size(), infinity)
   {
+    Union_find sets = result_.take_out(is_loose, pairs);
+    patches_of_set_.resize(result_.number_of_vertices());
     for(std::size_t i = 0; i < patches.size(); ++i)
       if(!is_loose[i]) {
-        set_of_patch_[i] = sets_.find(result_.vertex_of(i));
+        set_of_patch_[i] = sets.find(result_.vertex_of(i));
         patches_of_set_[set_of_patch_[i]].push_back(i);
       }
+    edges_.resize(patches.size() + patches_of_set_.size());
+    before_.resize(edges_.size());
+    distance_.assign(edges_.size(), infinity);
     connect(concurrency);
   }
 
@@ -99,7 +102,7 @@ private:
   /// root mean square distance of the patches from the middle.
   void connect(Concurrency concurrency)
   {
-    constexpr std::size_t neighbors = 14; // all around in space
+    constexpr std::size_t neighbors = 14; // more than the 12 that surround a place in space
     constexpr double widest_gap = 3.5;    // spacings: wider ones are for bridges
     const K_nearest_neighbors nearest = k_nearest_neighbors(tree_, neighbors + 1, concurrency);
     for(std::size_t i = 0; i < patches_.size(); ++i) {
@@ -268,17 +271,17 @@ private:
   const std::vector<bool>& is_loose_;
   Box_tree tree_; ///< Of the places.
   Refined_quotient result_;
-  Union_find sets_; ///< Of vertices that are connected without loose patches.
-  std::vector<std::vector<std::size_t>> patches_of_set_; ///< A set is known by its first vertex.
+
+  // Sets of vertices that are connected without loose patches; each is known by its first vertex.
+  std::vector<std::vector<std::size_t>> patches_of_set_;
   std::vector<std::size_t> set_of_patch_; ///< `none` if it is loose.
 
-  // Of each node.
-  std::vector<std::vector<Edge>> edges_;
-  std::vector<double> thickness_; ///< Of patches only.
+  std::vector<std::vector<Edge>> edges_; ///< Of each node.
+  std::vector<double> thickness_;        ///< Of the limb at each patch.
 
   // Of each node that the last search has reached.
   std::vector<double> distance_;
-  std::vector<Edge> before_; ///< To the node before it, on the path to it.
+  std::vector<Edge> before_; ///< From the node before it, on the path to it.
   std::vector<std::size_t> reached_;
 
   // Of each loose patch.

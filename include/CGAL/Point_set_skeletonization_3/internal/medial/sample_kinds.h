@@ -78,12 +78,12 @@ inline bool is_straight(const Patches& patches, std::size_t i)
 struct Unresolved_patches
 {
   std::vector<bool> is_unresolved;
-  std::vector<bool> is_on_line; ///< In a cloud of lines: points of twigs, however close the next is.
+  std::vector<bool> is_on_line; ///< In a cloud of lines: of a twig, however close the next one is.
 };
 
-/// Returns the unresolved patches of a cloud of lines. From afar many twigs are scattered, therefore
-/// the nearest neighbours are looked at first. There are no leaves, whatever is scattered there by
-/// its kind is of twigs. O(n log n).
+/// Returns the unresolved patches of a cloud of lines. From afar many twigs are scattered: so the
+/// nearest neighbours are looked at first. There are no leaves, whatever is scattered there by its
+/// kind is of twigs. O(n log n).
 inline Unresolved_patches twig_patches(const Surface& surface, const Samples& samples)
 {
   const Patches& patches = surface.patches;
