@@ -150,23 +150,23 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
 {
   const bool is_frame = reading == Limb_reading::frame;
   const std::vector<bool> none(samples.size(), false);
-  const auto [is_unresolved, is_on_line] =
+  const Unresolved_patches patches =
     is_frame ? Unresolved_patches{none, none} : unresolved_patches(surface, samples);
   std::vector<Local_separator> separators =
     without_marked(local_separators(candidates, surface, samples, overlaps, !is_frame,
                                     options.separators, concurrency),
-                   is_unresolved);
+                   patches.is_unresolved);
   const auto quotient_of = [&] {
     Surface_quotient quotient =
       surface_quotient(surface.patches, samples, overlaps, separators, concurrency);
     if(surface.is_of_lines) {
       quotient = with_line_trees(std::move(quotient), surface.patches, samples, overlaps.pairs(),
-                                 is_unresolved, is_on_line);
-      mark_points_of_twigs(quotient, is_unresolved);
+                                 patches.is_unresolved, patches.is_on_line);
+      mark_points_of_twigs(quotient, patches.is_unresolved);
     }
     else
       quotient = with_path_trees(std::move(quotient), surface.patches, samples, overlaps.pairs(),
-                                 is_unresolved, concurrency);
+                                 patches.is_unresolved, concurrency);
     quotient = with_handle_fronts(std::move(quotient), separators, surface.patches, samples,
                                   overlaps.pairs());
     move_inside(quotient, surface, samples, concurrency);
