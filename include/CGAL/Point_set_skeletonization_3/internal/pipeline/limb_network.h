@@ -153,8 +153,8 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
   const Unresolved_patches patches =
     is_frame ? Unresolved_patches{none, none} : unresolved_patches(surface, samples);
   std::vector<Local_separator> separators =
-    without_marked(local_separators(without_marked(candidates, patches.is_unresolved), surface,
-                                    samples, overlaps, !is_frame, options.separators, concurrency),
+    without_marked(local_separators(candidates, surface, samples, overlaps, !is_frame,
+                                    options.separators, concurrency),
                    patches.is_unresolved);
   const auto quotient_of = [&] {
     Surface_quotient quotient =
