@@ -340,6 +340,30 @@ TEST_CASE("Trees of paths in pieces have each patch at a vertex and close no cyc
   }
 }
 
+TEST_CASE("Parts of a piece between two separators close no cycle")
+{
+  // Two strips along a tube are unresolved: two others are left of the piece between its rings.
+  const Tube& tube = surfaces::tube;
+  const Patches patches = tube.patches();
+  const Surface_quotient quotient = quotient_of(tube, {5, 25});
+  const std::size_t around = tube.index(1, 0), piece = quotient.vertex_of_patch[tube.index(15, 0)];
+  std::vector<bool> is_out;
+  for(std::size_t i = 0; i < patches.size(); ++i)
+    is_out.push_back(quotient.vertex_of_patch[i] == piece && i % around % (around / 2) < 2);
+  Refined_quotient refined(quotient);
+  Union_find sets = refined.take_out(is_out, adjacent_pairs(patches));
+  const std::size_t parts = refined.number_of_vertices() - quotient.graph.vertices.size();
+  CHECK(parts == 2);
+  CHECK(sets.find(0) == sets.find(1)); // the rings
+  const std::size_t rest = refined.add_front();
+  for(std::size_t i = 0; i < patches.size(); ++i)
+    if(is_out[i])
+      refined.add_to_front(rest, i);
+  const Skeleton_graph graph = refined.take(patches, surfaces::samples_of(patches)).graph;
+  CHECK(number_of_cycles(graph) == 0);
+  CHECK(number_of_components(graph) == 2); // without what was taken out
+}
+
 TEST_CASE("What has no cross-section between unresolved patches is as these, unless it is the most")
 {
   // All of a tube is one piece, of which one half is resolved, and a third of the other.

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -133,26 +134,36 @@ public:
   }
 
 private:
-  /// Adds the edges of removed pieces that are left. Returns the sets of connected vertices.
+  /// Adds the edges of removed pieces that are left, without those that would close a cycle through
+  /// two parts of one piece, where there was none. Returns the sets of connected vertices.
   Union_find join_what_is_left(const std::vector<bool>& is_out,
                                const std::vector<Patch_pair>& pairs)
   {
+    const std::vector<std::size_t>& before = quotient_.vertex_of_patch;
     Union_find sets(number_of_vertices() + is_out.size());
-    std::set<Skeleton_graph::Edge> edges_of_removed, left;
+    std::map<Skeleton_graph::Edge, std::size_t> edges_of_removed; // numbered after the vertices
     for(const Skeleton_graph::Edge& e : quotient_.graph.edges)
       if(is_removed_[e.first] || is_removed_[e.second])
-        edges_of_removed.insert(std::minmax(e.first, e.second));
+        edges_of_removed.emplace(std::minmax(e.first, e.second),
+                                 number_of_vertices() + edges_of_removed.size());
       else
         sets.join(e.first, e.second);
-    for(const Patch_pair& pair : pairs)
-      if(!is_out[pair.a] && !is_out[pair.b] &&
-         edges_of_removed.count(std::minmax(quotient_.vertex_of_patch[pair.a],
-                                            quotient_.vertex_of_patch[pair.b])) > 0)
-        left.insert(std::minmax(vertex_of(pair.a), vertex_of(pair.b)));
-    for(const Skeleton_graph::Edge& e : left) {
-      sets.join(e.first, e.second);
-      add_edge(e.first, e.second);
+    std::set<std::pair<Skeleton_graph::Edge, std::size_t>> left; // part and neighbour, edge before
+    for(const Patch_pair& pair : pairs) {
+      const auto edge = edges_of_removed.find(std::minmax(before[pair.a], before[pair.b]));
+      if(edge == edges_of_removed.end() || is_out[pair.a] || is_out[pair.b])
+        continue;
+      Skeleton_graph::Edge e(vertex_of(pair.a), vertex_of(pair.b));
+      if(is_removed_[before[pair.b]])
+        std::swap(e.first, e.second);
+      left.emplace(e, edge->second);
     }
+    Union_find stars(number_of_vertices() + edges_of_removed.size()); // of each piece for itself
+    for(const auto& [e, edge] : left)
+      if(stars.join(e.first, edge)) {
+        sets.join(e.first, e.second);
+        add_edge(e.first, e.second);
+      }
     return sets;
   }
 
