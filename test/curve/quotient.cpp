@@ -340,6 +340,42 @@ TEST_CASE("Trees of paths in pieces have each patch at a vertex and close no cyc
   }
 }
 
+TEST_CASE("A cluster in the tube of a limb that it is not connected with belongs to it")
+{
+  // A limb that is as thick as long, and beside its middle patches that have only each other as
+  // nearest neighbours.
+  Patches patches;
+  std::vector<Vector3> places;
+  const auto add = [&](const Vector3& place, double thickness, double spacing) {
+    Patch patch;
+    patch.mean = place + Vector3(0, 0, thickness);
+    patch.spacing = spacing;
+    patch.weight = patch.area = 1;
+    patches.push_back(patch);
+    places.push_back(place);
+  };
+  for(int k = 0; k < 100; ++k)
+    add(Vector3(0.1 * k, 0, 0), k % 2 == 0 ? 6 : -6, 1);
+  for(int k = 0; k < 30; ++k)
+    add(Vector3(5, 1.5 + 0.001 * k, 0), 0, 0.001);
+  const Samples samples = surfaces::samples_of(patches);
+  Surface_quotient piece;
+  piece.vertex_of_patch.assign(patches.size(), 0);
+  piece.members.resize(1);
+  for(std::size_t i = 0; i < patches.size(); ++i)
+    piece.members[0].push_back(i);
+  piece.graph.vertices = {middle(piece.members[0], patches, samples)};
+  const std::vector<bool> is_loose(patches.size(), true);
+  const Surface_quotient trees =
+    Path_trees(piece, patches, places, {}, is_loose, Concurrency::sequential).run(samples);
+  CHECK(number_of_components(trees.graph) == 1);
+  for(std::size_t i = 0; i < patches.size(); ++i) {
+    REQUIRE(trees.vertex_of_patch[i] < trees.members.size());
+    const auto& members = trees.members[trees.vertex_of_patch[i]];
+    CHECK(std::count(members.begin(), members.end(), i) == 1);
+  }
+}
+
 TEST_CASE("Parts of a piece between two separators close no cycle")
 {
   // Two strips along a tube are unresolved: two others are left of the piece between its rings.

@@ -69,6 +69,9 @@ public:
     for(std::size_t i = 0; i < patches_.size(); ++i)
       if(is_loose_[i] && owner_[i] == none)
         grow_tree(i);
+    for(std::size_t i = 0; i < patches_.size(); ++i)
+      if(is_loose_[i] && !is_kept(i)) // it may be in the tube of a tree that has not reached it
+        result_.add_to_front(owner_[i], i);
     return result_.take(patches_, samples);
   }
 
@@ -146,11 +149,8 @@ private:
       if(*node < patches_.size() && owner_[*node] == none)
         keep_if_long(*node);
     for(std::size_t node : order)
-      if(node < patches_.size() && !is_kept(node)) {
-        if(owner_[node] == none)
-          owner_[node] = owner_before(node);
-        result_.add_to_front(owner_[node], node);
-      }
+      if(node < patches_.size() && owner_[node] == none)
+        owner_[node] = owner_before(node);
   }
 
   /// Finds the shortest paths from a node (Dijkstra). Returns the nodes reached, the nearest first.

@@ -106,8 +106,8 @@ inline Unresolved_patches twig_patches(const Surface& surface, const Samples& sa
 }
 
 /// Returns the unresolved patches. Those of a cloud that is not of lines are what most around them
-/// are: at the rim of a sheet there are few patches to see it by, and scattered leaves may have
-/// another by chance where their other side would be. O(n log n).
+/// are: at the rim of a sheet there are few patches to see it by, and a scattered leaf may have
+/// another by chance where its other side would be. O(n log n).
 inline Unresolved_patches unresolved_patches(const Surface& surface, const Samples& samples)
 {
   if(surface.is_of_lines)
@@ -116,7 +116,7 @@ inline Unresolved_patches unresolved_patches(const Surface& surface, const Sampl
   std::vector<bool> seems_unresolved(size);
   for(std::size_t i = 0; i < size; ++i)
     seems_unresolved[i] = !is_off_surface(samples[i], surface.patches[i]) &&
-                  dimensionality_around(surface, i).kind() != Medial_sample_kind::sheet;
+                          dimensionality_around(surface, i).kind() != Medial_sample_kind::sheet;
   Unresolved_patches result{std::vector<bool>(size), std::vector<bool>(size, false)};
   for(std::size_t i = 0; i < size; ++i) {
     std::size_t unresolved = 0, all = 0;
