@@ -174,13 +174,13 @@ TEST_CASE("A loop with enough evidence stays, though one place has none; a tree 
   CHECK(opened_below(graph, infinity).edges.size() == 9);
 }
 
-TEST_CASE("A loop has room for a hole if it is wider than its limbs are thick, in any unit")
+TEST_CASE("A loop has room for a hole if it is wider than its limbs are thick, and than gaps, in any unit")
 {
   constexpr std::size_t size = 40;
   const double unit = GENERATE(1e-3, 1.0, 1e3);
   CAPTURE(unit);
   // Limbs along a closed curve, for each number from 0 to 1 the place at that share of it.
-  const auto has_room = [&](double radius, const auto& place) {
+  const auto has_room = [&](double radius, const auto& place, double spacing = 0) {
     Skeleton_graph graph = polygon(size, 1);
     Loop loop;
     for(std::size_t v = 0; v < size; ++v) {
@@ -189,6 +189,7 @@ TEST_CASE("A loop has room for a hole if it is wider than its limbs are thick, i
       graph.vertices[v].is_cross_section = v % 2 == 0;
       graph.vertices[v].radius = v % 2 == 0 ? unit * radius : 100 * unit; // of a body
       graph.vertices[v].half_width = 100 * unit; // of a sheet
+      graph.vertices[v].resolution = unit * spacing;
       loop.push_back(v);
     }
     return has_room_for_hole(loop, graph);
@@ -196,6 +197,8 @@ TEST_CASE("A loop has room for a hole if it is wider than its limbs are thick, i
   const auto circle = [](double t) { return Vector3(std::cos(t), std::sin(t), 0); };
   CHECK(has_room(0.9, circle));
   CHECK_FALSE(has_room(1.1, circle));
+  CHECK(has_room(0, circle, 0.5));
+  CHECK_FALSE(has_room(0, circle, 0.8)); // such gaps there are between points
   const auto slot = [](double t) { return Vector3(10 * std::cos(t), std::sin(t), 0); };
   CHECK(has_room(0.9, slot));
   const auto eight = [](double t) {

@@ -35,15 +35,18 @@ inline std::size_t number_of_loops(const Skeleton_graph& graph)
   return result;
 }
 
-/// The length of all that is on no loop and was not seen from all sides. O(n log n).
-inline double loose_open_length(const Skeleton_graph& graph)
+/// Of what was not seen from all sides, the share of the length that is on no loop, in [0, 1]; 1 if
+/// all was. O(n log n).
+inline double loose_open_share(const Skeleton_graph& graph)
 {
   const std::vector<std::size_t> part = two_edge_connected_components(graph);
-  Curve_evidence loose;
-  for(const Skeleton_graph::Edge& e : graph.edges)
+  Curve_evidence all, loose;
+  for(const Skeleton_graph::Edge& e : graph.edges) {
+    all.add(graph.vertices[e.first], graph.vertices[e.second]);
     if(part[e.first] != part[e.second])
       loose.add(graph.vertices[e.first], graph.vertices[e.second]);
-  return loose.open_length();
+  }
+  return all.open_length() > 0 ? loose.open_length() / all.open_length() : 1;
 }
 
 } // namespace internal

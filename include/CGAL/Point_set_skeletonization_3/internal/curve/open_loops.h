@@ -39,8 +39,9 @@ inline Curve_evidence evidence_along(const Loop& loop, const Skeleton_graph& gra
   return result;
 }
 
-/// Whether there is room for a hole in a loop: it is wider than its limbs are thick. A limb that
-/// looks like two side by side, and two that touch twice, make loops without one.
+/// Whether there is room for a hole in a loop: it is wider than its limbs are thick, and than three
+/// spacings. A limb that looks like two side by side, and two that touch twice, make loops without
+/// one, and narrower holes are gaps between points.
 ///
 /// The radius of a circle is twice its area over its length. The same ratio is that of any loop,
 /// with the area of the triangles between its edges and its middle; it is small where a loop only
@@ -48,13 +49,15 @@ inline Curve_evidence evidence_along(const Loop& loop, const Skeleton_graph& gra
 /// may be much wider than the hole. O(length of the loop).
 inline bool has_room_for_hole(const Loop& loop, const Skeleton_graph& graph)
 {
+  constexpr double no_hole = 1.5; // spacings: gaps in strips have up to 1.2, wire frames 40 and more
+
   Vector3 middle = Vector3::Zero();
   double radii = 0, separators = 0;
   for(std::size_t v : loop) {
     const Skeleton_graph::Vertex& vertex = graph.vertices[v];
     middle += vertex.position / static_cast<double>(loop.size());
     if(vertex.is_cross_section) {
-      radii += vertex.radius;
+      radii += (std::max)(vertex.radius, no_hole * vertex.resolution);
       ++separators;
     }
   }

@@ -20,11 +20,10 @@ struct Linking_options
   Separator_options separators;
   Curve_options curve;
 
-  /// Length of all open limbs that end freely in the reading as a frame, in (0, 1), relative to
-  /// that in the reading as a tree: with less, it is a frame. Wire frames with gaps leave up to
-  /// 0.06, handles as thin as the noise 0.04, crowns in leaf 0.23 and more, trees 0.5, plants 0.9;
-  /// sparse trees of a few hundred points 0.11 and more.
-  double loose_share = 0.1;
+  /// Share of the length of open limbs that is on no loop in the reading as a frame, in (0, 1): with
+  /// less, it is a frame. Wire frames with gaps leave up to 0.16, crowns in leaf 0.31 and more, trees
+  /// 0.44, plants 0.86; sparse trees of a few hundred points 0.23 and more.
+  double loose_share = 0.2;
 
   /// Strength of the noise, in (0, 1), above which it spoils how coplanar patches are.
   double much_noise = 0.5;

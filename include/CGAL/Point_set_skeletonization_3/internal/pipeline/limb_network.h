@@ -51,14 +51,14 @@ enum class Limb_reading
   known_tree, ///< The same, and nothing closes a loop.
 };
 
-/// Whether there is enough evidence for a loop. In a tree it must have been seen from all sides and
-/// have room for a hole. O(length of the loop).
+/// Whether there is enough evidence for a loop, and room for a hole. In a tree it must have been
+/// seen from all sides. O(length of the loop).
 inline bool is_loop(const Loop& loop, const Skeleton_graph& graph, Limb_reading reading,
                     double least_evidence)
 {
   const Curve_evidence seen = evidence_along(loop, graph);
   return reading != Limb_reading::known_tree && seen.evidence() >= least_evidence &&
-         (reading == Limb_reading::frame || (!seen.is_open() && has_room_for_hole(loop, graph)));
+         (reading == Limb_reading::frame || !seen.is_open()) && has_room_for_hole(loop, graph);
 }
 
 /// Whether more than half of some patches are marked.

@@ -47,17 +47,16 @@ inline Curve_fitting curve_of(const Limb_network& network, const Surface& surfac
 }
 
 /// Whether the reading as a frame explains a shape: contacts and continuations close loops of
-/// nearly all open limbs that end freely in the reading as a tree. If many of them are loose in
-/// both, limbs end freely as in a tree, and what touches does so by accident. Limbs that were seen
-/// from all sides say nothing about the others. Where noise hides the other sides, a frame with no
-/// more loops is kept nevertheless: what tells limbs apart in a tree is how coplanar patches are,
-/// which noise spoils. O(n log n).
+/// nearly all open limbs. If many of them are on no loop, limbs end freely as in a tree, and what
+/// touches does so by accident. Limbs that were seen from all sides say nothing about the others.
+/// Where noise hides the other sides, a frame with no more loops is kept nevertheless: what tells
+/// limbs apart in a tree is how coplanar patches are, which noise spoils. O(n log n).
 /// \param noise strength of the noise removed, in [0, 1]
 inline bool is_frame(const Skeleton_graph& frame, const Skeleton_graph& tree, double noise,
                      const Linking_options& options)
 {
   return (noise > options.much_noise && number_of_loops(frame) <= number_of_loops(tree)) ||
-         loose_open_length(frame) < options.loose_share * loose_open_length(tree);
+         loose_open_share(frame) < options.loose_share;
 }
 
 /// Stage 3: returns the curve skeleton of samples. O(n log n) in practice.
