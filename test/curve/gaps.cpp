@@ -209,6 +209,18 @@ TEST_CASE("Tips that were seen from all sides, or limbs without evidence, end wh
   CHECK(loops_of_continued(arc(30, 1, 0.2)) == 0);
 }
 
+TEST_CASE("Where nothing is missing, a limb goes on without evidence, however it was seen")
+{
+  const double spacing_in_degrees = step * 180 / CGAL_PI;
+  for(const double open : {0.0, 1.0})
+    for(const double evidence : {0.2, 1.0}) {
+      CAPTURE(open, evidence);
+      CHECK(loops_of_continued(arc(1.2 * spacing_in_degrees, open, evidence)) == 1);
+      CHECK(loops_of_continued(arc(2 * spacing_in_degrees, open, evidence)) ==
+            (open == 1 && evidence == 1 ? 1 : 0));
+    }
+}
+
 TEST_CASE("Two limbs over a gap are judged as one: together they have evidence or have not")
 {
   for(const double evidence : {0.4, 0.1}) {

@@ -139,8 +139,16 @@ private:
     return limb.is_open() && limb.evidence() >= options_.limb_evidence;
   }
 
-  /// Whether the limbs of two tips are one: both tips point over the gap, and taken together the
-  /// limbs may go on, and as much as is missing was seen.
+  /// Whether points this far apart, between two vertices, are next to each other.
+  bool are_adjacent(double distance, std::size_t v, std::size_t w) const
+  {
+    constexpr double reach = 1.5; // spacings; adjacent patches are seldom further apart
+    return 2 * distance < reach * (graph_.vertices[v].resolution + graph_.vertices[w].resolution);
+  }
+
+  /// Whether the limbs of two tips are one: both tips point over the gap, and nothing is missing
+  /// between their points; or taken together the limbs may go on, and as much as is missing was
+  /// seen.
   bool are_one_limb(std::size_t v, std::size_t w) const
   {
     const Limb &a = limbs_[v], &b = limbs_[w];
@@ -148,7 +156,9 @@ private:
     const double length = bridge.norm();
     Curve_evidence both = a.curve;
     both.add(b.curve);
-    return length - a.reach - b.reach < a.length() + b.length() && may_go_on(both) &&
+    const double missing = length - a.reach - b.reach;
+    return (are_adjacent(missing, v, w) ||
+            (missing < a.length() + b.length() && may_go_on(both))) &&
            a.direction.dot(bridge) > options_.aligned * length &&
            -b.direction.dot(bridge) > options_.aligned * length;
   }
@@ -186,7 +196,8 @@ private:
 /// back: then with vertices in the gap, where other limbs may end. A limb needs evidence, must not
 /// have been seen from all sides (a tip that was ends there), and what ends at a gap must be longer
 /// than the gap between its surface points: as much as is missing was seen. What holds for a limb
-/// holds for two that face each other, taken together. Closes cycles. `surface[v]` are the surface
+/// holds for two that face each other, taken together; if their points are next to each other,
+/// they are one limb without that. Closes cycles. `surface[v]` are the surface
 /// points of vertex v. O(n log n), times the vertices within twice the length of a limb.
 inline void continue_limbs(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
                            const Curve_options& options)
