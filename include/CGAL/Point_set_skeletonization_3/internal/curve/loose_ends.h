@@ -36,7 +36,7 @@ inline std::size_t number_of_loops(const Skeleton_graph& graph)
 }
 
 /// Of what was not seen from all sides, the share of the length that is on no loop, in [0, 1]; 1 if
-/// all was. O(n log n).
+/// there is none, which is no evidence for loops. O(n log n).
 inline double loose_open_share(const Skeleton_graph& graph)
 {
   const std::vector<std::size_t> part = two_edge_connected_components(graph);
