@@ -5,8 +5,10 @@
 
 #include <CGAL/IO/Curve_skeleton_3.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 Row failed_row(const std::string& file, const std::exception& error)
 {
@@ -31,9 +33,11 @@ void write_miss(const std::string& folder, const Row& row, const Skeleton& skele
   if(folder.empty() || row.exact().value_or(true))
     return;
   std::filesystem::create_directories(folder);
-  std::string name = folder + '/' + row.shape;
+  std::string name = row.shape;
   for(const std::string& part : {row.seed, row.size, row.places, row.variant})
     name += part.empty() ? "" : '_' + part;
+  std::replace(name.begin(), name.end(), ' ', '_'); // "noise 0.010 turn 1"
+  name = folder + '/' + name;
   std::ofstream cloud(name + ".xyz");
   cloud.precision(9);
   for(const Point& p : points)

@@ -153,11 +153,12 @@ check "what is wrong with a reference" test "$(field status 3)" != ok
 check "that there is none" test "$(field status 4)" != ok
 check "what is wrong with a cloud" test "$(field status 5)" != ok
 
-accepts clouds cloud.xyz cloud.xyz:5 --as-published --csv table.csv --misses misses
+cp cloud.xyz "a cloud.xyz"
+accepts clouds cloud.xyz "a cloud.xyz:5" --as-published --csv table.csv --misses misses
 has points 1 600
 has exact 1 -
 has method 2 published
 has comp_true 3 5
 has exact 3 NO
-check "a miss is written" test -s misses/cloud.xyz -a -s misses/cloud_default.ply
+check "a miss is written" test -s misses/a_cloud.xyz -a -s misses/a_cloud_default.ply
 finish
