@@ -174,7 +174,7 @@ TEST_CASE("A loop with enough evidence stays, though one place has none; a tree 
   CHECK(opened_below(graph, infinity).edges.size() == 9);
 }
 
-TEST_CASE("A loop has room for a hole if it is wider than its limbs are thick, and than gaps, in any unit")
+TEST_CASE("A loop has room for a hole if it is wider than its limbs and than gaps, in any unit")
 {
   constexpr std::size_t size = 40;
   const double unit = GENERATE(1e-3, 1.0, 1e3);

@@ -159,6 +159,18 @@ Made_up_quotient two_limbs()
   return result;
 }
 
+/// A quotient with one vertex.
+Surface_quotient one_piece(const Patches& patches, const Samples& samples)
+{
+  Surface_quotient result;
+  result.vertex_of_patch.assign(patches.size(), 0);
+  result.members.resize(1);
+  for(std::size_t i = 0; i < patches.size(); ++i)
+    result.members[0].push_back(i);
+  result.graph.vertices = {middle(result.members[0], patches, samples)};
+  return result;
+}
+
 } // namespace
 
 TEST_CASE("A torus with separators is a cycle, however many they are")
@@ -359,12 +371,7 @@ TEST_CASE("A cluster in the tube of a limb that it is not connected with belongs
   for(int k = 0; k < 30; ++k)
     add(Vector3(5, 1.5 + 0.001 * k, 0), 0, 0.001);
   const Samples samples = surfaces::samples_of(patches);
-  Surface_quotient piece;
-  piece.vertex_of_patch.assign(patches.size(), 0);
-  piece.members.resize(1);
-  for(std::size_t i = 0; i < patches.size(); ++i)
-    piece.members[0].push_back(i);
-  piece.graph.vertices = {middle(piece.members[0], patches, samples)};
+  const Surface_quotient piece = one_piece(patches, samples);
   const std::vector<bool> is_loose(patches.size(), true);
   const Surface_quotient trees =
     Path_trees(piece, patches, places, {}, is_loose, Concurrency::sequential).run(samples);
@@ -452,12 +459,7 @@ TEST_CASE("A tree of paths follows scattered points around a corner: their middl
     std::sort(patch.neighbors.begin(), patch.neighbors.end());
     samples.push_back({patch.mean, 0});
   }
-  Surface_quotient piece;
-  piece.vertex_of_patch.assign(patches.size(), 0);
-  piece.members.resize(1);
-  for(std::size_t i = 0; i < patches.size(); ++i)
-    piece.members[0].push_back(i);
-  piece.graph.vertices = {middle(piece.members[0], patches, samples)};
+  const Surface_quotient piece = one_piece(patches, samples);
   const auto distance = [&](const Vector3& p) { // of the nearest patch
     double result = std::numeric_limits<double>::infinity();
     for(const Patch& patch : patches)

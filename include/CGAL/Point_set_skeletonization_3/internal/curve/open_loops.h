@@ -49,7 +49,7 @@ inline Curve_evidence evidence_along(const Loop& loop, const Skeleton_graph& gra
 /// may be much wider than the hole. O(length of the loop).
 inline bool has_room_for_hole(const Loop& loop, const Skeleton_graph& graph)
 {
-  constexpr double no_hole = 1.5; // spacings: gaps in strips have up to 1.2, wire frames 40 and more
+  constexpr double no_hole = 1.5; // spacings: gaps in strips have up to 1.2, wire frames 40
 
   Vector3 middle = Vector3::Zero();
   double radii = 0, separators = 0;

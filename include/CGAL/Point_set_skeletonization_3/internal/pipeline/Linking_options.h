@@ -20,9 +20,9 @@ struct Linking_options
   Separator_options separators;
   Curve_options curve;
 
-  /// Share of the length of open limbs that is on no loop in the reading as a frame, in (0, 1): with
-  /// less, it is a frame. Wire frames whose gaps are all bridged leave up to 0.07, crowns in leaf 0.31
-  /// and more, trees 0.44, plants 0.86; sparse trees of a few hundred points 0.12 and more.
+  /// Share of the length of open limbs that is on no loop in the reading as a frame, in (0, 1):
+  /// with less, it is a frame. Wire frames whose gaps are all bridged leave up to 0.07, crowns in
+  /// leaf 0.31 and more, trees 0.44, plants 0.86, sparse trees of a few hundred points 0.12.
   double loose_share = 0.1;
 
   /// Strength of the noise, in (0, 1), above which it spoils how coplanar patches are.
