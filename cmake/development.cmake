@@ -12,6 +12,11 @@ target_compile_options(
             $<$<BOOL:${Point_set_skeletonization_3_STRICT}>:-Werror>
             "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-array-bounds;-Wno-stringop-overflow>")
 
+if(TARGET Point_set_skeletonization_3_compiled)
+  target_compile_options(Point_set_skeletonization_3_compiled
+                         PRIVATE $<TARGET_PROPERTY:our_warnings,INTERFACE_COMPILE_OPTIONS>)
+endif()
+
 # For what has to see the headers as they are without the compiled library.
 add_library(development_header_only INTERFACE)
 target_link_libraries(
