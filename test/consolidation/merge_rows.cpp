@@ -109,6 +109,20 @@ TEST_CASE("A plane that is sampled evenly stays as it is, and so do two wires an
   }
 }
 
+TEST_CASE("Points much further apart than cells are wide are no rows, but single points")
+{
+  for(unsigned seed = 0; seed < seeds; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    constexpr double wide = 12, apart = 5;
+    std::vector<Vector3> places = rows(12, apart, random.uniform(0, 3), random);
+    CHECK(merged(places).components.size() < places.size());
+    for(Vector3& p : places)
+      p *= wide;
+    CHECK(merged(places).components.size() == places.size());
+  }
+}
+
 TEST_CASE("Beside rows that are far apart, cells of an even part are wider, and narrower further on")
 {
   for(unsigned seed = 0; seed < seeds; ++seed) {

@@ -180,10 +180,10 @@ private:
 
   /// Which cells, with those around, have components as a line has: neighbourhoods are long, and
   /// the number of components grows with the width of the cells more as that of a line, to the
-  /// power of 1, than as that of a sheet, of 2.
+  /// power of 1, than as that of a sheet, of 2, or of single points, of 0.
   std::vector<char> row_cells(const std::vector<Cell>& cells, int level) const
   {
-    const double most = std::pow(2, 1.5 * level); // components of a cell
+    const double least = std::pow(2, 0.5 * level), most = std::pow(2, 1.5 * level); // of a cell
     std::vector<char> result(cells.size(), false);
     parallel_for(concurrency_, cells.size(), [&](std::size_t c) {
       if(!is_long(cells[c].roundness))
@@ -193,7 +193,7 @@ private:
         ++number;
         components += cells[d].size();
       });
-      result[c] = components < most * number;
+      result[c] = components > least * number && components < most * number;
     });
     return result;
   }
