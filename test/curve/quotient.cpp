@@ -516,6 +516,31 @@ TEST_CASE("Trees of twigs have a vertex at each patch and close no cycle")
   }
 }
 
+TEST_CASE("A piece that is mostly of twigs is single points, one of a few twigs is not")
+{
+  const Tube tube{false, 30};
+  const Patches patches = tube.patches();
+  const Surface_quotient quotient = quotient_of(tube, {4, 22});
+  const std::size_t piece = quotient.vertex_of_patch[tube.index(12, 0)];
+  const std::vector<std::size_t>& members = quotient.members[piece];
+  const auto number_alone = [&](int modulus, bool are_twigs) { // rings of twigs, of `modulus`
+    std::vector<bool> is_of_twig(patches.size(), false);
+    for(const std::size_t i : members)
+      is_of_twig[i] = (i / tube.index(1, 0) % static_cast<std::size_t>(modulus) == 0) == are_twigs;
+    const Surface_quotient trees =
+      with_line_trees(quotient, patches, surfaces::samples_of(patches), adjacent_pairs(patches),
+                      is_of_twig, std::vector<bool>(patches.size(), false));
+    CHECK(number_of_components(trees.graph) == 1);
+    return std::count_if(members.begin(), members.end(), [&](std::size_t i) {
+      return trees.members[trees.vertex_of_patch[i]].size() == 1;
+    });
+  };
+  CHECK(number_alone(3, false) == static_cast<std::ptrdiff_t>(members.size())); // two of three
+  const auto few = number_alone(3, true); // one of three
+  CHECK(few > 0);
+  CHECK(2 * few < static_cast<std::ptrdiff_t>(members.size()));
+}
+
 TEST_CASE("The middle of samples is not drawn away by one that went astray")
 {
   Samples samples;

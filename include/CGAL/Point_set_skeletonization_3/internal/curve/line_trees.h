@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Divides pieces of a quotient into patches of twigs and what is left.
+/// Divides pieces of a quotient into patches of twigs and pieces of other patches.
 class Line_trees
 {
 public:
@@ -55,7 +55,8 @@ public:
 
 private:
   /// Which patches of pieces are of twigs, as many together as it takes to see a line: fewer are
-  /// straight by chance.
+  /// straight by chance. In a piece that is mostly of twigs all are: where twigs are as close to
+  /// each other as their points, some seem to face another side, that of the next twig.
   std::vector<bool> twigs_of_pieces(const std::vector<bool>& is_of_twig) const
   {
     Union_find lines(patches_.size());
@@ -65,10 +66,19 @@ private:
     std::vector<std::size_t> size(patches_.size(), 0);
     for(std::size_t i = 0; i < size.size(); ++i)
       ++size[lines.find(i)];
+    const auto is_in_piece = [&](std::size_t i) {
+      return is_piece(quotient_.vertex_of_patch[i], quotient_);
+    };
     std::vector<bool> result;
     for(std::size_t i = 0; i < size.size(); ++i)
-      result.push_back(is_of_twig[i] && size[lines.find(i)] >= places_of_line &&
-                       is_piece(quotient_.vertex_of_patch[i], quotient_));
+      result.push_back(is_of_twig[i] && size[lines.find(i)] >= places_of_line && is_in_piece(i));
+    std::vector<std::size_t> twigs(quotient_.members.size(), 0);
+    for(std::size_t i = 0; i < size.size(); ++i)
+      twigs[quotient_.vertex_of_patch[i]] += result[i];
+    for(std::size_t i = 0; i < size.size(); ++i) {
+      const std::size_t v = quotient_.vertex_of_patch[i];
+      result[i] = result[i] || (is_in_piece(i) && 2 * twigs[v] > quotient_.members[v].size());
+    }
     return result;
   }
 
@@ -85,7 +95,7 @@ private:
 /// twigs, all of them are one piece, with the limb that they grow on. What runs through such points
 /// is their minimum spanning tree, joined to the limbs around, and to what is left of the piece,
 /// where it touches them. Nothing was seen of these twigs from all sides: they close no cycle.
-/// Where twigs are scattered as well, no single point is a cross-section of a limb. O(n log n).
+/// O(n log n).
 /// \param pairs adjacent patches, `Ball_overlaps::pairs()`
 /// \param is_of_twig of each patch: on a line, or scattered
 /// \param is_on_line of each patch
