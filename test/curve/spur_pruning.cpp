@@ -75,10 +75,8 @@ std::vector<Vector3> offsets(const Random_graph& input, const Branch& branch, st
 double slenderness(const Random_graph& input, const Branch& branch, double least_points)
 {
   double result = 0;
-  bool has_cross_section = false;
   for(std::size_t k = 1; k < branch.size(); ++k) {
     const Skeleton_graph::Vertex& vertex = input.graph.vertices[branch[k]];
-    has_cross_section = has_cross_section || vertex.is_cross_section;
     if(!(vertex.is_cross_section || vertex.is_on_line) || input.points[branch[k]].empty())
       continue;
     const std::vector<Vector3> beyond = offsets(input, branch, k, branch.size());
@@ -100,7 +98,7 @@ double slenderness(const Random_graph& input, const Branch& branch, double least
     const std::size_t furthest = std::min(last, std::max(outliers, last / 20));
     result = std::max(result, lengths[last - furthest] / width);
   }
-  return has_cross_section ? result : 0;
+  return result;
 }
 
 /// The graph without the vertices that were removed, and the inside of a branch.
@@ -246,15 +244,15 @@ TEST_CASE("A twig of single points is a limb if it is long compared with their d
   CHECK_FALSE(is_kept(0.1)); // all of them within half a spacing
 }
 
-TEST_CASE("A twig of three points on a line is a limb, of scattered ones it is none")
+TEST_CASE("A twig of three points is a limb, also where none of them shows a line")
 {
-  const auto is_kept = [](std::size_t twig, bool are_on_line, bool is_line_seen) {
+  const auto is_kept = [](std::size_t twig, bool are_single, bool is_line_seen) {
     Skeleton_graph graph; // two twigs of many points, and one in their middle
     Points points;
     constexpr std::size_t length = 13, joint = 6;
     const auto add = [&](const Vector3& place, std::size_t from, bool is_cross_section) {
       const std::size_t v = graph.vertices.size();
-      graph.vertices.push_back({place, 0, 2.5, is_cross_section, are_on_line});
+      graph.vertices.push_back({place, 0, 2.5, is_cross_section, are_single});
       points.push_back({place});
       if(v > 0)
         graph.edges.emplace_back(from, v);
@@ -266,11 +264,11 @@ TEST_CASE("A twig of three points on a line is a limb, of scattered ones it is n
           is_line_seen && k == twig / 2);
     return !Spur_pruning(graph, points, Curve_options()).spurs()[length];
   };
-  CHECK(is_kept(3, true, true));
-  CHECK_FALSE(is_kept(2, true, true)); // one of them may be an outlier
-  CHECK_FALSE(is_kept(3, false, true)); // fewer than go around a limb
-  for(const std::size_t twig : {3, 8})
-    CHECK_FALSE(is_kept(twig, true, false));
+  for(const bool is_line_seen : {true, false}) {
+    CHECK(is_kept(3, true, is_line_seen));
+    CHECK_FALSE(is_kept(2, true, is_line_seen)); // one of them may be an outlier
+    CHECK_FALSE(is_kept(3, false, is_line_seen)); // fewer than go around a limb
+  }
 }
 
 TEST_CASE("A ring of a few points counts by its width across the limb, one of many by any")

@@ -278,28 +278,24 @@ private:
 
   /// The largest ratio of the length beyond a cross-section of a branch to half its width; or, if
   /// that is enough for a limb, the first one found from the tip. If no separator is enough, the
-  /// rings at its root may be. Among scattered twigs each point may be where a twig begins, but
-  /// without a cross-section, where they show a line, there is none. `end` is the way from the tip.
+  /// rings at its root may be. Among twigs of single points each is a cross-section. `end` is the
+  /// way from the tip.
   double slenderness(std::size_t end) const
   {
     const std::size_t junction = from(end_[end]);
     double result = 0;
-    bool has_cross_section = false;
     std::vector<Vector3> beyond;
     std::vector<std::size_t> limb;
     for(std::size_t v = from(end), w = to_[end];
-        v != junction && !(has_cross_section && result >= options_.slenderness);
+        v != junction && result < options_.slenderness;
         v = std::exchange(w, next(w, v))) {
       const Skeleton_graph::Vertex& vertex = graph_.vertices[v];
       const std::vector<Vector3>& points = surface_[v];
       beyond.insert(beyond.end(), points.begin(), points.end());
       limb.push_back(v);
-      has_cross_section = has_cross_section || vertex.is_cross_section;
       if((vertex.is_cross_section || vertex.is_on_line) && !points.empty())
         result = (std::max)(result, slenderness(vertex.position, points, beyond, v));
     }
-    if(!has_cross_section)
-      result = 0;
     const bool has_root = for_rings_ && !graph_.vertices[junction].is_cross_section &&
                           std::none_of(limb.begin(), limb.end(), [this](std::size_t v) {
                             return is_open(graph_.vertices[v]); // there is no ring around a strip
