@@ -488,12 +488,9 @@ TEST_CASE("Trees of twigs have a vertex at each patch and close no cycle")
   for(const Tube& tube : {Tube{true, 30}, Tube{false, 30}}) {
     const Patches patches = tube.patches();
     const Surface_quotient quotient = quotient_of(tube, {4, 13, 22});
-    std::vector<bool> is_on_line; // every other ring; the patches between are scattered
-    for(std::size_t i = 0; i < patches.size(); ++i)
-      is_on_line.push_back(i / tube.index(1, 0) % 2 == 0);
     const auto with_trees = [&](const std::vector<bool>& is_of_twig) {
       return with_line_trees(quotient, patches, surfaces::samples_of(patches),
-                             adjacent_pairs(patches), is_of_twig, is_on_line);
+                             adjacent_pairs(patches), is_of_twig);
     };
     const Surface_quotient same = with_trees(std::vector<bool>(patches.size(), false));
     CHECK(same.graph.edges == quotient.graph.edges);
@@ -509,7 +506,8 @@ TEST_CASE("Trees of twigs have a vertex at each patch and close no cycle")
         const std::size_t v = trees.vertex_of_patch[i];
         if(is_of_twig[i] && is_piece(quotient.vertex_of_patch[i], quotient)) {
           CHECK(trees.members[v] == std::vector<std::size_t>{i});
-          CHECK(trees.graph.vertices[v].is_cross_section == is_on_line[i]);
+          CHECK(trees.graph.vertices[v].is_cross_section);
+          CHECK(trees.graph.vertices[v].position == patches[i].mean); // not where its ball is
         }
       }
     }
@@ -529,7 +527,7 @@ TEST_CASE("A piece that is mostly of twigs is single points, one of a few twigs 
       is_of_twig[i] = (i / tube.index(1, 0) % static_cast<std::size_t>(modulus) == 0) == are_twigs;
     const Surface_quotient trees =
       with_line_trees(quotient, patches, surfaces::samples_of(patches), adjacent_pairs(patches),
-                      is_of_twig, std::vector<bool>(patches.size(), false));
+                      is_of_twig);
     CHECK(number_of_components(trees.graph) == 1);
     return std::count_if(members.begin(), members.end(), [&](std::size_t i) {
       return trees.members[trees.vertex_of_patch[i]].size() == 1;

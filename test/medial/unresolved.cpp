@@ -47,7 +47,7 @@ Samples samples_on(const Patches& patches)
 std::vector<bool> unresolved_at(const std::vector<Vector3>& places)
 {
   const Patches patches = patches_at(places);
-  return unresolved_patches(surfaces::surface_of(patches), samples_on(patches)).is_unresolved;
+  return unresolved_patches(surfaces::surface_of(patches), samples_on(patches));
 }
 
 } // namespace
@@ -87,10 +87,10 @@ TEST_CASE("What has a medial ball is resolved, unless most around it is not")
   const Surface surface = surfaces::surface_of(patches);
   Samples samples = samples_on(patches);
   samples[0].position += Vector3(0.5, 0, 0);
-  CHECK(unresolved_patches(surface, samples).is_unresolved[0]);
+  CHECK(unresolved_patches(surface, samples)[0]);
   for(std::size_t i = 0; i < patches.size(); ++i)
     samples[i].position = patches[i].mean + Vector3(0.5, 0, 0);
-  const std::vector<bool> none = unresolved_patches(surface, samples).is_unresolved;
+  const std::vector<bool> none = unresolved_patches(surface, samples);
   CHECK(std::find(none.begin(), none.end(), true) == none.end());
 }
 

@@ -29,9 +29,8 @@ class Line_trees
 public:
   /// Refers to all arguments. O(n).
   Line_trees(const Surface_quotient& quotient, const Patches& patches,
-             const std::vector<Patch_pair>& pairs, const std::vector<bool>& is_of_twig,
-             const std::vector<bool>& is_on_line)
-    : quotient_(quotient), patches_(patches), pairs_(pairs), is_on_line_(is_on_line),
+             const std::vector<Patch_pair>& pairs, const std::vector<bool>& is_of_twig)
+    : quotient_(quotient), patches_(patches), pairs_(pairs),
       is_replaced_(twigs_of_pieces(is_of_twig)), result_(quotient)
   {}
 
@@ -40,8 +39,8 @@ public:
   {
     Union_find sets = result_.take_out(is_replaced_, pairs_);
     for(std::size_t i = 0; i < is_replaced_.size(); ++i)
-      if(is_replaced_[i]) // on a line, a cross-section
-        result_.add_to_front(result_.add_front(is_on_line_[i]), i);
+      if(is_replaced_[i])
+        result_.add_to_front(result_.add_front_at(patches_[i].mean), i);
     std::vector<Bridge> bridges;
     for(const Patch_pair& pair : pairs_)
       if(is_replaced_[pair.a] || is_replaced_[pair.b])
@@ -85,7 +84,6 @@ private:
   const Surface_quotient& quotient_;
   const Patches& patches_;
   const std::vector<Patch_pair>& pairs_;
-  const std::vector<bool>& is_on_line_;
   std::vector<bool> is_replaced_; ///< Of each patch.
   Refined_quotient result_;
 };
@@ -98,16 +96,14 @@ private:
 /// O(n log n).
 /// \param pairs adjacent patches, `Ball_overlaps::pairs()`
 /// \param is_of_twig of each patch: on a line, or scattered
-/// \param is_on_line of each patch
 inline Surface_quotient with_line_trees(Surface_quotient quotient, const Patches& patches,
                                         const Samples& samples,
                                         const std::vector<Patch_pair>& pairs,
-                                        const std::vector<bool>& is_of_twig,
-                                        const std::vector<bool>& is_on_line)
+                                        const std::vector<bool>& is_of_twig)
 {
   if(std::find(is_of_twig.begin(), is_of_twig.end(), true) == is_of_twig.end())
     return quotient;
-  return Line_trees(quotient, patches, pairs, is_of_twig, is_on_line).run(samples);
+  return Line_trees(quotient, patches, pairs, is_of_twig).run(samples);
 }
 
 } // namespace internal

@@ -74,21 +74,13 @@ inline bool is_straight(const Patches& patches, std::size_t i)
   return are_straight(number, [&](std::size_t k) -> const Vector3& { return near[k]; });
 }
 
-/// Patches of limbs that are not resolved: their other side was not seen, and they are in no sheet.
-struct Unresolved_patches
-{
-  std::vector<bool> is_unresolved;
-  std::vector<bool> is_on_line; ///< In a cloud of lines: of a twig, however close the next one is.
-};
-
-/// Returns the unresolved patches of a cloud of lines. From afar many twigs are scattered: so the
+/// Marks the unresolved patches of a cloud of lines. From afar many twigs are scattered: so the
 /// nearest neighbours are looked at first. There are no leaves, whatever is scattered there by its
 /// kind is of twigs. O(n log n).
-inline Unresolved_patches twig_patches(const Surface& surface, const Samples& samples)
+inline std::vector<bool> twig_patches(const Surface& surface, const Samples& samples)
 {
   const Patches& patches = surface.patches;
-  Unresolved_patches result{std::vector<bool>(patches.size(), false),
-                            std::vector<bool>(patches.size(), false)};
+  std::vector<bool> result(patches.size(), false);
   std::vector<bool> is_straight_patch;
   for(std::size_t i = 0; i < patches.size(); ++i)
     is_straight_patch.push_back(is_straight(patches, i));
@@ -97,18 +89,17 @@ inline Unresolved_patches twig_patches(const Surface& surface, const Samples& sa
       continue;
     Straightness straightness;
     visit_surroundings(surface, i, [&](std::size_t k) { straightness.add(is_straight_patch[k]); });
-    result.is_on_line[i] = straightness.is_on_lines();
-    result.is_unresolved[i] =
-      result.is_on_line[i] ||
-      dimensionality_around(surface, i).kind() == Medial_sample_kind::scatter;
+    result[i] = straightness.is_on_lines() ||
+                dimensionality_around(surface, i).kind() == Medial_sample_kind::scatter;
   }
   return result;
 }
 
-/// Returns the unresolved patches. Those of a cloud that is not of lines are what most around them
-/// are: at the rim of a sheet there are few patches to see it by, and a scattered leaf may have
-/// another by chance where its other side would be. O(n log n).
-inline Unresolved_patches unresolved_patches(const Surface& surface, const Samples& samples)
+/// Marks the patches of limbs that are not resolved: their other side was not seen, and they are in
+/// no sheet. Those of a cloud that is not of lines are what most around them are: at the rim of a
+/// sheet there are few patches to see it by, and a scattered leaf may have another by chance where
+/// its other side would be. O(n log n).
+inline std::vector<bool> unresolved_patches(const Surface& surface, const Samples& samples)
 {
   if(surface.is_of_lines)
     return twig_patches(surface, samples);
@@ -117,14 +108,14 @@ inline Unresolved_patches unresolved_patches(const Surface& surface, const Sampl
   for(std::size_t i = 0; i < size; ++i)
     seems_unresolved[i] = !is_off_surface(samples[i], surface.patches[i]) &&
                           dimensionality_around(surface, i).kind() != Medial_sample_kind::sheet;
-  Unresolved_patches result{std::vector<bool>(size), std::vector<bool>(size, false)};
+  std::vector<bool> result(size);
   for(std::size_t i = 0; i < size; ++i) {
     std::size_t unresolved = 0, all = 0;
     visit_surroundings(surface, i, [&](std::size_t k) {
       unresolved += seems_unresolved[k] ? 1 : 0;
       ++all;
     });
-    result.is_unresolved[i] = 2 * unresolved > all;
+    result[i] = 2 * unresolved > all;
   }
   return result;
 }

@@ -127,16 +127,6 @@ inline void move_inside(Surface_quotient& quotient, const Surface& surface, cons
   }
 }
 
-/// Marks the vertices that are one patch of a twig. In a cloud of lines no average of sparse points
-/// is a better place; elsewhere they may be leaves. O(n).
-inline void mark_points_of_twigs(Surface_quotient& quotient, const std::vector<bool>& is_of_twig)
-{
-  for(std::size_t v = 0; v < quotient.members.size(); ++v) {
-    const std::vector<std::size_t>& members = quotient.members[v];
-    quotient.graph.vertices[v].is_on_line = members.size() == 1 && is_of_twig[members.front()];
-  }
-}
-
 /// Returns the network of limbs that separators cut a surface into. In a tree, separators mean
 /// nothing where limbs are not resolved: there are trees of paths or, in a cloud of lines, spanning
 /// trees of the points instead. They come before fronts around handles, which would gather twigs.
@@ -149,24 +139,20 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
                                  Concurrency concurrency)
 {
   const bool is_frame = reading == Limb_reading::frame;
-  const std::vector<bool> none(samples.size(), false);
-  const Unresolved_patches patches =
-    is_frame ? Unresolved_patches{none, none} : unresolved_patches(surface, samples);
+  const std::vector<bool> is_unresolved = is_frame ? std::vector<bool>(samples.size(), false)
+                                                   : unresolved_patches(surface, samples);
   std::vector<Local_separator> separators =
     without_marked(local_separators(candidates, surface, samples, overlaps, !is_frame,
                                     options.separators, concurrency),
-                   patches.is_unresolved);
+                   is_unresolved);
   const auto quotient_of = [&] {
     Surface_quotient quotient =
       surface_quotient(surface.patches, samples, overlaps, separators, concurrency);
-    if(surface.is_of_lines) {
-      quotient = with_line_trees(std::move(quotient), surface.patches, samples, overlaps.pairs(),
-                                 patches.is_unresolved, patches.is_on_line);
-      mark_points_of_twigs(quotient, patches.is_unresolved);
-    }
-    else
-      quotient = with_path_trees(std::move(quotient), surface.patches, samples, overlaps.pairs(),
-                                 patches.is_unresolved, concurrency);
+    quotient = surface.is_of_lines
+                 ? with_line_trees(std::move(quotient), surface.patches, samples,
+                                   overlaps.pairs(), is_unresolved)
+                 : with_path_trees(std::move(quotient), surface.patches, samples,
+                                   overlaps.pairs(), is_unresolved, concurrency);
     quotient = with_handle_fronts(std::move(quotient), separators, surface.patches, samples,
                                   overlaps.pairs());
     move_inside(quotient, surface, samples, concurrency);
