@@ -81,7 +81,7 @@ TEST_CASE("Twigs of single points are a cloud of lines; surfaces, their rims and
     };
     for(const std::size_t number : {20, 60, 200}) // more components than are asked, too
       CHECK(is_of_lines(scaled(twigs(number, random))));
-    for(const std::size_t size : {300, 3000, 9000}) {
+    for(const std::size_t size : {1000, 3000, 9000}) {
       CAPTURE(size);
       const auto draw = [&](const std::function<Vector3()>& place) {
         return is_of_lines(scaled(random_cloud(size, place)));
@@ -92,6 +92,18 @@ TEST_CASE("Twigs of single points are a cloud of lines; surfaces, their rims and
         return Vector3(random.uniform(0, 20), random.uniform(0, 4), 0);
       }));
     }
+  }
+}
+
+TEST_CASE("The fewer components there are, the less it takes to be a cloud of lines; of 500 nothing")
+{
+  for(const std::size_t number : {750, 1500, 3000})
+    CHECK(least_share_on_lines(number) < least_share_on_lines(2 * number));
+  CHECK(least_share_on_lines(10000) == least_share_on_lines(1000000));
+  for(unsigned seed = 0; seed < seeds; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    CHECK(is_of_lines(random_cloud(500, [&] { return random.direction(); })));
   }
 }
 

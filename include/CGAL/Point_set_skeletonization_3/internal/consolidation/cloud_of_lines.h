@@ -69,23 +69,28 @@ inline bool is_in_sheet(std::size_t i, const Gaussians& components, const Box_tr
   return dimensionality(covariance, n).kind() == Medial_sample_kind::sheet;
 }
 
+/// Least share of components on lines of a cloud of lines, of which there are `number`. Of many,
+/// 0.43: of samples of trees 34 to 83 % are, of scanned crowns in leaf at most 41 %, of trees
+/// scanned with a few beams less than 43 %, of surfaces less than 10 %. The fewer there are, the
+/// less they show of a surface, and the more detail is worth than smoothness
+/// (`Grid_options::minimum_cells`): 0.14 less for half of them, so that 500, too few to surround
+/// limbs, are always of lines.
+inline double least_share_on_lines(std::size_t number)
+{
+  constexpr double least_of_many = 0.43, per_doubling = 0.14, too_few = 500;
+  return (std::min)(least_of_many,
+                    per_doubling * std::log2(static_cast<double>(number) / too_few));
+}
+
 /// Whether a cloud is one of lines, as a sparse scan of a tree, whose twigs are single rows of
 /// points. There, what is sparse is neither an outlier nor the tail of noise, but what the cloud is
-/// made of; so the sparser half of the components is asked: many are on lines, and not in a sheet.
-/// Of samples of trees with 700 components and more 34 to 83 % are, of those with 300 12 to 80 %,
-/// of scanned crowns in leaf at most 41 %, of trees scanned with a few beams less than 43 %, of
-/// surfaces of many points less than 10 %. Where there
-/// are too few components to see the surface of a leaf, and detail is worth more than smoothness
-/// (`Grid_options::minimum_cells`), fewer are enough: of small samples of crowns 11 to 41 % are, of
-/// closed shapes at most 28 %. Rows of a scanner of few beams are lines as well, until
+/// made of; so the sparser half of the components is asked: many are on lines, and not in a sheet,
+/// see `least_share_on_lines()`. Rows of a scanner of few beams are lines as well, until
 /// `with_rows_merged()`. O(n), at most 2000 components are asked.
 /// \param nearest of the components, each first itself
 inline bool is_cloud_of_lines(const Gaussians& components, const Box_tree& tree,
                               const K_nearest_neighbors& nearest)
 {
-  constexpr double least_of_few = 0.27, least_of_many = 0.43;
-  constexpr std::size_t few = 4000;
-  const double least = components.size() < few ? least_of_few : least_of_many;
   constexpr std::size_t fewest = 2000; // of which half are sparse
   const std::size_t step = (std::max<std::size_t>)(1, components.size() / fewest);
   std::vector<double> spacings;
@@ -99,7 +104,8 @@ inline bool is_cloud_of_lines(const Gaussians& components, const Box_tree& tree,
       ++sparse;
       on_lines += is_on_lines(i, components, nearest) && !is_in_sheet(i, components, tree, nearest);
     }
-  return static_cast<double>(on_lines) > least * static_cast<double>(sparse);
+  return static_cast<double>(on_lines) >=
+         least_share_on_lines(components.size()) * static_cast<double>(sparse);
 }
 
 } // namespace internal
