@@ -45,7 +45,8 @@ struct Random_graph
         graph.edges.emplace_back(v, w);
     };
     for(std::size_t v = 0; v < size; ++v) {
-      graph.vertices.push_back({vector(), 1, 0.1, below(2) == 0, below(4) == 0});
+      const std::size_t kind = below(8); // no cross-section, one, or one on a line
+      graph.vertices.push_back({vector(), 1, 0.1, kind > 2, kind > 5});
       points.emplace_back();
       for(std::size_t k = below(9); k > 0; --k)
         points.back().push_back(graph.vertices[v].position + vector());
@@ -77,7 +78,7 @@ double slenderness(const Random_graph& input, const Branch& branch, double least
   double result = 0;
   for(std::size_t k = 1; k < branch.size(); ++k) {
     const Skeleton_graph::Vertex& vertex = input.graph.vertices[branch[k]];
-    if(!(vertex.is_cross_section || vertex.is_on_line) || input.points[branch[k]].empty())
+    if(!vertex.is_cross_section || input.points[branch[k]].empty())
       continue;
     const std::vector<Vector3> beyond = offsets(input, branch, k, branch.size());
     Vector3 sum = Vector3::Zero();
@@ -252,7 +253,7 @@ TEST_CASE("A twig of three points is a limb, also where none of them shows a lin
     constexpr std::size_t length = 13, joint = 6;
     const auto add = [&](const Vector3& place, std::size_t from, bool is_cross_section) {
       const std::size_t v = graph.vertices.size();
-      graph.vertices.push_back({place, 0, 2.5, is_cross_section, are_single});
+      graph.vertices.push_back({place, 0, 2.5, is_cross_section || are_single, are_single});
       points.push_back({place});
       if(v > 0)
         graph.edges.emplace_back(from, v);

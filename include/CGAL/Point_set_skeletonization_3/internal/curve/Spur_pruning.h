@@ -293,7 +293,7 @@ private:
       const std::vector<Vector3>& points = surface_[v];
       beyond.insert(beyond.end(), points.begin(), points.end());
       limb.push_back(v);
-      if((vertex.is_cross_section || vertex.is_on_line) && !points.empty())
+      if(vertex.is_cross_section && !points.empty())
         result = (std::max)(result, slenderness(vertex.position, points, beyond, v));
     }
     const bool has_root = for_rings_ && !graph_.vertices[junction].is_cross_section &&

@@ -65,19 +65,14 @@ private:
     std::vector<std::size_t> size(patches_.size(), 0);
     for(std::size_t i = 0; i < size.size(); ++i)
       ++size[lines.find(i)];
-    const auto is_in_piece = [&](std::size_t i) {
-      return is_piece(quotient_.vertex_of_patch[i], quotient_);
-    };
     std::vector<bool> result;
     for(std::size_t i = 0; i < size.size(); ++i)
-      result.push_back(is_of_twig[i] && size[lines.find(i)] >= places_of_line && is_in_piece(i));
-    std::vector<std::size_t> twigs(quotient_.members.size(), 0);
-    for(std::size_t i = 0; i < size.size(); ++i)
-      twigs[quotient_.vertex_of_patch[i]] += result[i];
-    for(std::size_t i = 0; i < size.size(); ++i) {
-      const std::size_t v = quotient_.vertex_of_patch[i];
-      result[i] = result[i] || (is_in_piece(i) && 2 * twigs[v] > quotient_.members[v].size());
-    }
+      result.push_back(is_of_twig[i] && size[lines.find(i)] >= places_of_line &&
+                       is_piece(quotient_.vertex_of_patch[i], quotient_));
+    for(std::size_t v = 0; v < quotient_.members.size(); ++v)
+      if(is_piece(v, quotient_) && are_mostly(quotient_.members[v], result))
+        for(std::size_t i : quotient_.members[v])
+          result[i] = true;
     return result;
   }
 

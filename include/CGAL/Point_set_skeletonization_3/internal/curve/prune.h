@@ -53,7 +53,7 @@ inline void mark_caps(const Skeleton_graph& graph, std::vector<bool>& removed)
     }
   const auto is_cap = [&](std::size_t v) {
     const Skeleton_graph::Vertex& vertex = graph.vertices[v];
-    return !vertex.is_cross_section && !vertex.is_on_line && adjacency[v].size() == 1;
+    return !vertex.is_cross_section && adjacency[v].size() == 1;
   };
   for(std::size_t v = 0; v < adjacency.size(); ++v) {
     if(!is_cap(v))

@@ -153,6 +153,14 @@ patches_of_vertices(const std::vector<std::size_t>& vertex_of_patch, std::size_t
   return result;
 }
 
+/// Whether more than half of some patches are marked.
+inline bool are_mostly(const std::vector<std::size_t>& members, const std::vector<bool>& is_marked)
+{
+  const auto marked = std::count_if(members.begin(), members.end(),
+                                    [&](std::size_t i) { return is_marked[i]; });
+  return 2 * static_cast<std::size_t>(marked) > members.size();
+}
+
 /// Whether a vertex of a quotient is a piece with patches of its own.
 inline bool is_piece(std::size_t vertex, const Surface_quotient& quotient)
 {

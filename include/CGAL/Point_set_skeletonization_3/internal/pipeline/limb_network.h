@@ -61,14 +61,6 @@ inline bool is_loop(const Loop& loop, const Skeleton_graph& graph, Limb_reading 
          (reading == Limb_reading::frame || !seen.is_open()) && has_room_for_hole(loop, graph);
 }
 
-/// Whether more than half of some patches are marked.
-inline bool are_mostly(const std::vector<std::size_t>& members, const std::vector<bool>& is_marked)
-{
-  const auto marked = std::count_if(members.begin(), members.end(),
-                                    [&](std::size_t i) { return is_marked[i]; });
-  return 2 * static_cast<std::size_t>(marked) > members.size();
-}
-
 /// Returns the separators that are not mostly of marked patches, in their order. O(n).
 inline std::vector<Local_separator> without_marked(std::vector<Local_separator> separators,
                                                    const std::vector<bool>& is_marked)
