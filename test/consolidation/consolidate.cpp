@@ -38,6 +38,21 @@ Consolidated_mixture consolidated(const Gaussians& mixture,
   return consolidate(mixture, no_cells, Consolidation_options(), concurrency);
 }
 
+Noise noise_of(const Gaussians& mixture)
+{
+  constexpr auto concurrency = Concurrency::sequential;
+  const Box_tree tree(means_of(mixture), concurrency);
+  const K_nearest_neighbors nearest = k_nearest_neighbors(tree, surface_neighbors + 1, concurrency);
+  std::vector<double> spacings;
+  for(std::size_t i = 0; i < mixture.size(); ++i)
+    spacings.push_back(spacing_of(i, nearest));
+  const double spacing = quantile(spacings, 0.5);
+  Scale_space space(mixture, tree, spacing, concurrency);
+  const Moving_mixture moving = {mixture, means_of(mixture),
+                                 std::vector<bool>(mixture.size(), false)};
+  return measure_noise(space, moving, nearest, Window_radii(spacing), Noise_options(), concurrency);
+}
+
 bool is_outlier(const Consolidated_mixture& mixture, std::size_t i)
 {
   return mixture.merged_into[i] == Consolidated_mixture::none;
@@ -128,6 +143,43 @@ TEST_CASE("A noisy plane becomes flat and keeps its width")
     CHECK(root_mean_square(kept(surface, [](const Vector3& p) { return p.z(); })) < sigma / 3);
     const std::vector<double> x = kept(surface, [](const Vector3& p) { return p.x(); });
     CHECK(*std::max_element(x.begin(), x.end()) - *std::min_element(x.begin(), x.end()) > 0.9);
+  }
+}
+
+TEST_CASE("Curvature is no noise: a tube has as much as a plane")
+{
+  const double sigma = GENERATE(0.3, 0.6);  // spacings
+  const double radius = GENERATE(3., 10.); // spacings; the latter is nearly a plane
+  const double length = 2000 / (2 * CGAL_PI * radius);
+  for(unsigned seed = 0; seed < seeds; ++seed) {
+    CAPTURE(seed, sigma, radius);
+    Random random(seed);
+    const Gaussians tube = components(2000, [&] {
+      const double angle = random.uniform(0, 2 * CGAL_PI), r = radius + sigma * random.normal();
+      return Vector3(r * std::cos(angle), r * std::sin(angle), random.uniform(0, length));
+    });
+    const Noise noise = noise_of(tube);
+    CHECK(noise.strength > 0);
+    const double measured = std::sqrt(noise.variance) / sigma;
+    CHECK((measured > 0.5 && measured < 1.1));
+  }
+}
+
+TEST_CASE("A tube is hidden by noise as wide, not by noise of a quarter of its radius")
+{
+  const double sigma = GENERATE(0.25, 1.); // radii
+  constexpr double length = 40;
+  for(unsigned seed = 0; seed < seeds; ++seed) {
+    CAPTURE(seed, sigma);
+    Random random(seed);
+    const Gaussians tube = components(1500, [&] {
+      const double angle = random.uniform(0, 2 * CGAL_PI);
+      return Vector3(std::cos(angle) + sigma * random.normal(),
+                     std::sin(angle) + sigma * random.normal(), random.uniform(0, length));
+    });
+    const auto across = [](const Vector3& p) { return std::hypot(p.x(), p.y()); };
+    const double radius = root_mean_square(kept(consolidated(tube), across));
+    CHECK((sigma < 1 ? radius > 0.6 : radius < 0.4));
   }
 }
 

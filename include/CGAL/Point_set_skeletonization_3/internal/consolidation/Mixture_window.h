@@ -35,8 +35,28 @@ struct Local_shape
   double linearity = 0;            ///< In [0, 1]: 0 if not twice as long as wide, 1 for a line.
   double density = 0;    ///< Weight in the window over its squared radius.
   double sphericity = 1; ///< Smallest over middle variance: 0 for a plane, 1 for a ball.
-  double thickness = 0;  ///< Standard deviation along the normal.
+  double variance = 0;   ///< Along the normal.
+  double radius = 0;     ///< Of the window.
 };
+
+/// A window of this radius falls off as a normal distribution of this variance.
+inline double variance_of_window(double radius) { return radius * radius / 4; }
+
+/// Returns how much of the variance of a normal distribution is seen in a window of this radius. At
+/// most that of the window. O(1).
+inline double variance_seen(double variance, double radius)
+{
+  const double of_window = variance_of_window(radius);
+  return variance * of_window / (variance + of_window);
+}
+
+/// Returns the variance of the normal distribution of which so much is seen. What is much wider
+/// than the window looks like the window, and cannot be told. O(1).
+inline double variance_behind(double seen, double radius)
+{
+  constexpr double most = 20; // times what is seen
+  return seen / (std::max)(1 - seen / variance_of_window(radius), 1 / most);
+}
 
 /// Returns `exp(32 x)`, to nine digits for -1/7 <= x <= 0, in less than half the time of `exp()`: a
 /// Taylor polynomial, squared five times.
@@ -130,6 +150,7 @@ public:
     const Moments::Array sum = moments(q);
     Local_shape fit;
     fit.mean = q;
+    fit.radius = radius_;
     if(!(sum[0] > 0))
       return fit;
     const Moments::Array mean = sum / sum[0];
@@ -143,7 +164,7 @@ public:
     fit.axis = directions.col(2);
     if(variance[2] > 0)
       fit.linearity = (std::max)(0.0, 1 - 4 * variance[1] / variance[2]);
-    fit.thickness = std::sqrt(variance[0]);
+    fit.variance = variance[0];
     fit.density = sum[0] / (radius_ * radius_);
     // A line has no normal: its sphericity stays 1. Eigenvalues in closed form are that inexact.
     if(variance[1] > 1e-6 * variance[2])
@@ -172,7 +193,7 @@ private:
       near_[size] = i;
       size += squared_distance < squared_reach;
     }
-    const double factor = -2 / (radius_ * radius_) / 32;
+    const double factor = -0.5 / variance_of_window(radius_) / 32;
     for(std::size_t i = 0; i < size; ++i)
       weights_[i] = exponential_of_32_times(factor * weights_[i]);
     Moments::Array sum = Moments::Array::Zero();

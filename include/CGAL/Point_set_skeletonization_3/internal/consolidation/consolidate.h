@@ -51,10 +51,6 @@ struct Consolidation_options
   /// noise is no detail.
   double resolution = 0.25;
 
-  /// Thickness over that of the noise: up to `drowned` a limb is as thin as the noise, from
-  /// `resolved` on it is not. The radius of a limb is that of the noise at 1.2, twice that at 1.7.
-  double drowned = 1.15, resolved = 1.65;
-
   /// Checks all ranges.
   void check() const
   {
@@ -62,7 +58,6 @@ struct Consolidation_options
     CGAL_precondition(isolated > 1 && sparse > 0);
     CGAL_precondition(thin > 0 && thin < 1);
     CGAL_precondition(resolution > 0 && resolution < 1);
-    CGAL_precondition(drowned > 0 && drowned < resolved);
   }
 
   /// Calls `visit(name, value)` for every option.
@@ -74,8 +69,6 @@ struct Consolidation_options
     visit("thin", thin);
     visit("sparse", sparse);
     visit("resolution", resolution);
-    visit("drowned", drowned);
-    visit("resolved", resolved);
   }
 };
 
@@ -280,13 +273,12 @@ private:
     return result;
   }
 
-  /// How much a limb that is entirely in a window is hidden by noise, in [0, 1]: 1 if it is as
-  /// thin.
-  double drowned(const Local_shape& shape) const
+  /// The share of noise in what varies across a limb that is entirely in a window, in [0, 1]: half
+  /// for a tube with a radius of sqrt(2) noises. If it is less, the middle of the tube is empty.
+  double share_of_noise(const Local_shape& shape) const
   {
-    const double ratio = shape.thickness / noise_.thickness;
-    return (std::min)(
-      1.0, (std::max)(0.0, (options_.resolved - ratio) / (options_.resolved - options_.drowned)));
+    const double noise = variance_seen(noise_.variance, shape.radius);
+    return noise < shape.variance ? noise / shape.variance : 1;
   }
 
   /// Features of the window around a component. If it contains a whole limb, narrower windows are
@@ -295,7 +287,7 @@ private:
                             const Vector3& position) const
   {
     Local_shape shape = views[size].shape(position);
-    while(size-- > 0 && shape.sphericity > options_.noise.round && drowned(shape) < 0.5) {
+    while(size-- > 0 && shape.sphericity > options_.noise.round && share_of_noise(shape) < 0.5) {
       const Local_shape narrower = views[size].shape(position);
       if(narrower.sphericity > shape.sphericity)
         break;
@@ -324,7 +316,7 @@ private:
       // Not along a limb, or its components would form clusters.
       const Vector3 across = step - shape.linearity * shape.axis.dot(step) * shape.axis;
       position += share * ((1 - blob) * shape.normal.dot(step) * shape.normal +
-                           blob * drowned(shape) * across);
+                           blob * share_of_noise(shape) * across);
     });
     return densities;
   }

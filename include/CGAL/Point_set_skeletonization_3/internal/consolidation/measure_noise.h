@@ -71,7 +71,7 @@ struct Noise
 {
   double strength = 0;  ///< In [0, 1]: share of their way that components move.
   std::size_t size = 0; ///< Index of the window: wider than the noise, narrower than limbs.
-  double thickness = 0; ///< Standard deviation of the noisy surface along its normal.
+  double variance = 0;  ///< Of the noise along the normal of the surface.
 
   /// Density around each component, in the narrowest window.
   std::vector<double> densities;
@@ -170,6 +170,15 @@ inline double credibility(const std::vector<double>& scatters,
   return 1 - twigs * (1 - noisy);
 }
 
+/// Returns what the variance along the normal is in windows that narrow to a point, from that in
+/// one and in the next wider one: curvature adds the fourth power of the radius, noise is the same.
+/// Where limbs are not much wider than the windows, most of what these show is curvature. O(1).
+inline double variance_of_noise(double narrow, double wide)
+{
+  const double growth = std::pow(Window_radii::ratio, 4);
+  return (std::max)(0.0, (growth * narrow - wide) / (growth - 1));
+}
+
 /// Measures the noise. Noise makes narrow windows spherical; curvature and neighbouring sheets make
 /// wide ones spherical. A plane with noise of variance t^2, in a window in which it extends by w^2
 /// within the plane and the noise, if it is wide, as far across, has a sphericity s of about
@@ -190,10 +199,10 @@ inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
   for(std::size_t size = 0; size < Window_radii::size; ++size) {
     const std::vector<Local_shape> shapes =
       local_shapes(space, moving, size, size == 0 ? 1 : every, concurrency);
-    std::vector<double> sphericities, thicknesses;
+    std::vector<double> sphericities, variances;
     for(std::size_t i = 0; i < shapes.size(); i += every) {
       sphericities.push_back(shapes[i].sphericity);
-      thicknesses.push_back(shapes[i].thickness);
+      variances.push_back(shapes[i].variance);
     }
     const double sphericity = quantile(sphericities, quarter_of_shape);
     if(size == 0) {
@@ -207,12 +216,15 @@ inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
                        (sphericity - least_round) / options.round}));
       result.strength *= credibility(off, shapes, every, options);
     }
+    const double variance = variance_behind(quantile(variances, quarter_of_shape), radii[size]);
+    if(size > 0)
+      result.variance = variance_of_noise(result.variance, variance);
     const double odds = sphericity / (std::max)(1 - sphericity, least);
     const double least_fall = odds < 1 ? Window_radii::ratio : 1;
     if(odds * least_fall >= last) // also on a line of points: no normal at any size
       break;
     result.size = size;
-    result.thickness = quantile(thicknesses, quarter_of_shape);
+    result.variance = variance; // until the next window tells how much of it is curvature
     if(result.strength == 0)
       break;
     last = odds;
