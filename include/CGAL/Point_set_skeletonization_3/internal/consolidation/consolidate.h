@@ -89,10 +89,11 @@ struct Consolidated_mixture
 /// Moves the components of a mixture to the surface that they scatter around, and drops outliers.
 ///
 /// A component moves to the plane fitted in its window, or in a narrower one if the window contains
-/// a whole limb. In a limb as thin as the noise it moves to the local mean instead, but not along
-/// the limb (mean shift, Comaniciu and Meer 2002). What is a line of components in a narrow window
-/// stays where it is: a twig of a few points across is no noise. Without noise, and in a cloud of
-/// lines, nothing moves.
+/// a whole limb. If that shows no plane either, it moves towards the local mean, by the share of
+/// noise in what the window shows across the limb (the best linear estimate of where it was, Wiener
+/// 1949), but not along the limb: a limb thinner than the noise becomes a line (mean shift,
+/// Comaniciu and Meer 2002). What is a line of components in a narrow window stays where it is: a
+/// twig of a few points across is no noise. Without noise, and in a cloud of lines, nothing moves.
 class Consolidation
 {
 public:
@@ -274,7 +275,8 @@ private:
   }
 
   /// The share of noise in what varies across a limb that is entirely in a window, in [0, 1]: half
-  /// for a tube with a radius of sqrt(2) noises. If it is less, the middle of the tube is empty.
+  /// for a tube with a radius of sqrt(2) noises. If it is less, the middle of the tube is empty. Each
+  /// pass leaves less noise, but is as strong: limbs hardly wider become lines, which can be linked.
   double share_of_noise(const Local_shape& shape) const
   {
     const double noise = variance_seen(noise_.variance, shape.radius);

@@ -170,6 +170,17 @@ inline double credibility(const std::vector<double>& scatters,
   return 1 - twigs * (1 - noisy);
 }
 
+/// Returns how noisy the narrowest windows look, in [0, 1]. O(n).
+/// \param sphericity lower quartile of that of the windows
+inline double apparent_noise(const std::vector<double>& scatters, double sphericity,
+                          const Noise_options& options)
+{
+  const double least_round = options.flat() + options.round;
+  return std::clamp((std::max)(scale_of_normal(scatters) / options.least_scatter - 1,
+                             (sphericity - least_round) / options.round),
+                    0.0, 1.0);
+}
+
 /// Returns what the variance along the normal is in windows that narrow to a point, from that in
 /// one and in the next wider one: curvature adds the fourth power of the radius, noise is the same.
 /// Where limbs are not much wider than the windows, most of what these show is curvature. O(1).
@@ -209,12 +220,8 @@ inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
       for(const Local_shape& shape : shapes)
         result.densities.push_back(shape.density);
       const std::vector<double> off = scatters(shapes, moving, nearest, radii[0], concurrency);
-      const double scattered = scale_of_normal(off);
-      const double least_round = options.flat() + options.round;
-      result.strength = (std::min)(
-        1.0, (std::max)({0.0, (scattered - options.least_scatter) / options.least_scatter,
-                       (sphericity - least_round) / options.round}));
-      result.strength *= credibility(off, shapes, every, options);
+      result.strength = apparent_noise(off, sphericity, options) *
+                        credibility(off, shapes, every, options);
     }
     const double variance = variance_behind(quantile(variances, quarter_of_shape), radii[size]);
     if(size > 0)
