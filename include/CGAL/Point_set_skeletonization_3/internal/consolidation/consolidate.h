@@ -275,8 +275,9 @@ private:
   }
 
   /// The share of noise in what varies across a limb that is entirely in a window, in [0, 1]: half
-  /// for a tube with a radius of sqrt(2) noises. If it is less, the middle of the tube is empty. Each
-  /// pass leaves less noise, but is as strong: limbs hardly wider become lines, which can be linked.
+  /// for a tube with a radius of sqrt(2) noises. If it is less, the middle of the tube is empty.
+  /// Each pass leaves less noise, but is as strong: limbs hardly wider become lines, which can be
+  /// linked.
   double share_of_noise(const Local_shape& shape) const
   {
     const double noise = variance_seen(noise_.variance, shape.radius);
