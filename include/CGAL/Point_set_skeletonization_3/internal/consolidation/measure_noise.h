@@ -224,7 +224,7 @@ inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
                         credibility(off, shapes, every, options);
     }
     const double variance = variance_behind(quantile(variances, quarter_of_shape), radii[size]);
-    if(size > 0)
+    if(last < 1) // otherwise the window before was inside the noise, and showed nothing else
       result.variance = variance_of_noise(result.variance, variance);
     const double odds = sphericity / (std::max)(1 - sphericity, least);
     const double least_fall = odds < 1 ? Window_radii::ratio : 1;
