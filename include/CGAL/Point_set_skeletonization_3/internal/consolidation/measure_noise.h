@@ -173,7 +173,7 @@ inline double credibility(const std::vector<double>& scatters,
 /// Returns how noisy the narrowest windows look, in [0, 1]. O(n).
 /// \param sphericity lower quartile of that of the windows
 inline double apparent_noise(const std::vector<double>& scatters, double sphericity,
-                          const Noise_options& options)
+                             const Noise_options& options)
 {
   const double least_round = options.flat() + options.round;
   return std::clamp((std::max)(scale_of_normal(scatters) / options.least_scatter - 1,
