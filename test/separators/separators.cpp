@@ -240,6 +240,53 @@ TEST_CASE("Overlap of balls: whole within a limb, none between limbs that touch"
   CHECK(relative_overlap({Vector3(0, 1.6, 0), 1}, ball) == Approx(0.6));
 }
 
+TEST_CASE("Patches longer than a limb is wide are in one limb, those of limbs that touch are not")
+{
+  constexpr double length = 3; // of patches along limbs of radius 1
+  constexpr std::size_t around = 6, along = 4, limb = along * around;
+  Patches patches;
+  Samples samples;
+  for(const Vector3& begin : {Vector3(0, 0, 0), Vector3(length / 2, 2.2, 0)}) // nearly touching
+    for(std::size_t k = 0; k < limb; ++k) {
+      const double angle = 2 * CGAL_PI * static_cast<double>(k % around) / around;
+      const Vector3 axis = begin + length * static_cast<double>(k / around) * Vector3::UnitX();
+      Patch patch;
+      patch.normal = Vector3(0, std::cos(angle), std::sin(angle));
+      patch.mean = axis + patch.normal;
+      patch.spacing = length / 2;
+      patch.weight = patch.area = 1;
+      patches.push_back(patch);
+      const bool is_at_gap = k % (around / 2) == 0;
+      if(is_at_gap || k / around != 1)
+        samples.push_back({axis, 1});
+      else // it takes a ball from beside
+        samples.push_back({patch.mean, 0});
+    }
+  const auto are_of_one_limb = [](std::size_t i, std::size_t j) { return i / limb == j / limb; };
+  for(std::size_t i = 0; i < patches.size(); ++i)
+    for(std::size_t j = 0; j < patches.size(); ++j) {
+      constexpr double along_limb = 1.1 * length, across_gap = 0.6 * length;
+      const double distance = (patches[i].mean - patches[j].mean).norm();
+      if(i != j && distance < (are_of_one_limb(i, j) ? along_limb : across_gap))
+        patches[i].neighbors.push_back(j);
+    }
+  const Ball_overlaps overlaps = overlaps_of(surface_of(patches), samples);
+  Union_find joined(patches.size());
+  std::size_t between = 0;
+  for(std::size_t k = 0; k < overlaps.pairs().size(); ++k) {
+    const auto [a, b] = overlaps.pairs()[k];
+    if(overlaps.are_in_one_limb(k))
+      joined.join(a, b);
+    between += are_of_one_limb(a, b) ? 0 : 1;
+  }
+  CHECK(between > 0);
+  for(std::size_t i = 0; i < patches.size(); ++i) {
+    CAPTURE(i);
+    CHECK(joined.find(i) == joined.find(i / limb * limb));
+  }
+  CHECK(joined.find(0) != joined.find(limb));
+}
+
 TEST_CASE("In one limb all balls overlap, and an unknown one at least as one is told")
 {
   const Surface surface = surface_of(surfaces::tube.patches());

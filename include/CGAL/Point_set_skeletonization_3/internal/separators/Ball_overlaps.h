@@ -27,6 +27,9 @@ struct Medial_ball
 {
   Vector3 center = Vector3::Zero();
   double radius = 0; ///< 0: unknown.
+
+  /// The centre, seen from the patch that it was found at.
+  Vector3 offset = Vector3::Zero();
 };
 
 /// Returns a ball moved straight towards `place` until it touches it, if it is further away.
@@ -35,7 +38,8 @@ inline Medial_ball moved_to_touch(const Medial_ball& ball, const Vector3& place)
   const Vector3 way = place - ball.center;
   const double distance = way.norm();
   return distance > ball.radius
-           ? Medial_ball{ball.center + (1 - ball.radius / distance) * way, ball.radius}
+           ? Medial_ball{ball.center + (1 - ball.radius / distance) * way, ball.radius,
+                         ball.offset}
            : ball;
 }
 
@@ -54,8 +58,10 @@ inline std::vector<Medial_ball> known_balls(const Patches& patches, const Sample
   using Step = std::tuple<double, std::size_t, std::size_t>; // length of path, patch, source
   std::priority_queue<Step, std::vector<Step>, std::greater<Step>> queue;
   for(std::size_t i = 0; i < patches.size(); ++i)
-    if(is_off_surface(samples[i], patches[i]))
-      balls[i] = {samples[i].position, (samples[i].position - patches[i].mean).norm()};
+    if(is_off_surface(samples[i], patches[i])) {
+      const Vector3 offset = samples[i].position - patches[i].mean;
+      balls[i] = {samples[i].position, offset.norm(), offset};
+    }
   const auto is_unknown = [&](std::size_t i) { return balls[i].radius == 0; };
   for(std::size_t i = 0; i < patches.size(); ++i) {
     const std::vector<std::size_t>& neighbors = patches[i].neighbors;
@@ -101,9 +107,20 @@ inline double relative_overlap(const Medial_ball& a, const Medial_ball& b)
   return std::sqrt(std::max(0.0, 1 - plane * plane));
 }
 
+/// Whether the balls of two patches are no further apart than the patches, each as seen from the
+/// patch that it was found at: the surface between them is flat or convex. Two limbs that touch
+/// meet at a crease, where the balls are further apart.
+inline bool is_convex_between(const Patch& a, const Medial_ball& ball_a, const Patch& b,
+                              const Medial_ball& ball_b)
+{
+  const Vector3 bend = ball_a.offset - ball_b.offset;
+  return 2 * bend.dot(a.mean - b.mean) + bend.squaredNorm() <= 0;
+}
+
 /// The relative overlap of the medial balls of adjacent patches, in [0, 1]: near 1 within a limb,
-/// near 0 between two limbs that touch. A sheet has no such balls; instead of their overlap, how
-/// coplanar the patches are says whether they are in one limb.
+/// near 0 between two limbs that touch. Balls of patches that are as long as a limb is wide hardly
+/// overlap either: 1 where the surface is convex. A sheet has no balls; instead of their overlap,
+/// how coplanar the patches are says whether they are in one limb.
 class Ball_overlaps
 {
 public:
@@ -125,8 +142,12 @@ public:
     };
     parallel_for(concurrency, pairs_.size(), [&](std::size_t k) {
       const auto [a, b] = pairs_[k];
-      overlaps_[k] = is_unknown(k) ? coplanarity(patches[a], patches[b])
-                                   : relative_overlap(balls[a], balls[b]);
+      if(is_unknown(k))
+        overlaps_[k] = coplanarity(patches[a], patches[b]);
+      else if(is_convex_between(patches[a], balls[a], patches[b], balls[b]))
+        overlaps_[k] = 1;
+      else
+        overlaps_[k] = relative_overlap(balls[a], balls[b]);
     });
     for(std::size_t k = 0; k < pairs_.size(); ++k)
       if(is_unknown(k))
