@@ -144,9 +144,13 @@ std::vector<bool> spurs_one_by_one(const Random_graph& input, const Curve_option
       }
       const std::size_t at_ends =
         std::min(input.points[branch.front()].size(), input.points[branch.back()].size());
+      const Skeleton_graph::Vertex &first = input.graph.vertices[branch.front()],
+                                   &last = input.graph.vertices[branch.back()];
+      const double in_row = // points of a row between the ends
+        2 * (first.position - last.position).norm() / (first.resolution + last.resolution);
       const bool is_thin = !is_on_line &&
                            static_cast<double>(points) < options.least_points &&
-                           (has_tip || points < at_ends);
+                           (has_tip || (points < at_ends && static_cast<double>(points) < in_row));
       // Without the inside of a bridge, that is isolated and the rest in one part more.
       const std::size_t inside = branch.size() - 2;
       if(!has_tip &&
@@ -192,19 +196,19 @@ TEST_CASE("The same branches are pruned as one by one, the least slender of all 
   CHECK(opened > 0);
 }
 
-TEST_CASE("A few points between two limbs are a part of a limb if these have no more, else a bridge")
+TEST_CASE("A few points between two limbs are a part of a limb if these have no more, or in a row")
 {
   constexpr std::size_t length = 12, joint = 6;
-  const auto is_kept = [&](std::size_t points_of_limbs) {
+  const auto is_kept = [&](std::size_t points_of_limbs, double gap) {
     Skeleton_graph graph; // two limbs side by side, and a vertex between their middles
     for(std::size_t k = 0; k < 2 * length + 1; ++k) {
       const double x = static_cast<double>(k % length);
-      graph.vertices.push_back({Vector3(x, k < length ? 0 : 2, 0), 1, 1, true});
+      graph.vertices.push_back({Vector3(x, k < length ? 0 : gap, 0), 1, 1, true});
       if(k % length != 0)
         graph.edges.emplace_back(k - 1, k);
     }
     const std::size_t between = 2 * length;
-    graph.vertices[between].position = Vector3(joint, 1, 0);
+    graph.vertices[between].position = Vector3(joint, gap / 2, 0);
     graph.edges.emplace_back(joint, between);
     graph.edges.emplace_back(between, length + joint);
     graph.edges.emplace_back(0, length); // a detour: without it, nothing is removed
@@ -214,10 +218,12 @@ TEST_CASE("A few points between two limbs are a part of a limb if these have no 
     points[between].resize(std::min<std::size_t>(3, points_of_limbs));
     return !Spur_pruning(graph, points, Curve_options()).spurs()[between];
   };
-  CHECK(is_kept(2));
-  CHECK(is_kept(3));
-  CHECK_FALSE(is_kept(4));
-  CHECK_FALSE(is_kept(12));
+  CHECK(is_kept(2, 4));
+  CHECK(is_kept(3, 4));
+  CHECK_FALSE(is_kept(4, 4)); // three points, four spacings from middle to middle
+  CHECK_FALSE(is_kept(12, 4));
+  CHECK(is_kept(4, 2));
+  CHECK(is_kept(12, 2));
 }
 
 TEST_CASE("A twig of single points is a limb if it is long compared with their distance")

@@ -207,8 +207,8 @@ private:
   }
 
   /// Whether a branch, without its junctions, has fewer surface points than any limb: than a ring
-  /// and, between two junctions, than these, which on lines of points have no rings either. On a
-  /// line every point is a cross-section.
+  /// and, between two junctions, than these, which on lines of points have no rings either, and
+  /// than a row of points between them. On a line every point is a cross-section.
   bool is_thin(std::size_t way, bool has_tip) const
   {
     const std::size_t last = from(end_[way]);
@@ -224,7 +224,17 @@ private:
     if(v == last && has_tip)
       points += surface_[v].size();
     return static_cast<double>(points) < options_.least_points &&
-           (has_tip || points < (std::min)(surface_[from(way)].size(), surface_[last].size()));
+           (has_tip || (points < (std::min)(surface_[from(way)].size(), surface_[last].size()) &&
+                        is_sparser_than_row(points, from(way), last)));
+  }
+
+  /// Whether points between two vertices are fewer than those of a row of points. Two halves of a
+  /// junction of thin limbs are closer to each other than that.
+  bool is_sparser_than_row(std::size_t points, std::size_t v, std::size_t w) const
+  {
+    const Skeleton_graph::Vertex &a = graph_.vertices[v], &b = graph_.vertices[w];
+    const double spacing = (a.resolution + b.resolution) / 2;
+    return static_cast<double>(points) * spacing < (a.position - b.position).norm();
   }
 
   /// Whether the ends of a branch are not connected without it. A bridge remains one.
