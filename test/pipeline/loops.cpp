@@ -214,8 +214,8 @@ TEST_CASE("In a frame, hardly anything that was not seen from all sides is on no
   const double noise = GENERATE(0, 0.4, 1);
   const CGAL::Point_set_skeletonization_3::internal::Linking_options options;
   CHECK(is_frame(frame(0, 1), tree(0, 1), noise, options));
-  CHECK(is_frame(frame(2, 1), tree(2, 1), noise, options));
-  CHECK_FALSE(is_frame(frame(3, 1), tree(3, 1), noise, options));
+  CHECK(is_frame(frame(4, 1), tree(4, 1), noise, options));
+  CHECK_FALSE(is_frame(frame(5, 1), tree(5, 1), noise, options));
   CHECK(is_frame(frame(100, 0), tree(100, 0), noise, options)); // a limb seen from all sides
 }
 
