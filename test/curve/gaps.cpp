@@ -237,6 +237,23 @@ TEST_CASE("Two limbs over a gap are judged as one: together they have evidence o
   }
 }
 
+TEST_CASE("Over a gap a loop is closed if there is room for a hole in it")
+{
+  for(const double apart : {0.01, 0.1}) { // limbs that are joined at their ends, one with a gap
+    CAPTURE(apart);
+    Skeleton_graph graph;
+    add_line(graph, Vector3(0, 0, 0), Vector3(1, 0, 0), 1);
+    const std::size_t right = graph.vertices.size();
+    add_line(graph, Vector3(1, apart, 0), Vector3(0.55, apart, 0), 1);
+    add_line(graph, Vector3(0.45, apart, 0), Vector3(0, apart, 0), 1);
+    graph.edges.emplace_back(right - 1, right);
+    graph.edges.emplace_back(graph.vertices.size() - 1, 0);
+    for(Skeleton_graph::Vertex& vertex : graph.vertices)
+      vertex.is_cross_section = true;
+    CHECK(loops_of_continued(graph) == (apart > 2 * step ? 1 : 0));
+  }
+}
+
 TEST_CASE("A limb ends within the gap of another")
 {
   Skeleton_graph graph;

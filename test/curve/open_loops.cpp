@@ -145,16 +145,37 @@ TEST_CASE("Half the width of a tube is its radius; of a strip it is half its wid
 TEST_CASE("A loop is named in its order, from whichever vertex")
 {
   Skeleton_graph graph = polygon(7, 1);
-  graph.vertices[3].evidence = 0.5; // where the forest has its gap
   graph.vertices.resize(9);
   graph.edges.emplace_back(2, 7); // a limb
   graph.edges.emplace_back(7, 8);
-  const Weakest_loops loops(graph);
-  REQUIRE(loops.closing_edges().size() == 1);
-  const Loop loop = loops.loop(loops.closing_edges().front());
-  CHECK(loop.size() == 7);
-  visit_edges(loop, [&](std::size_t v, std::size_t w) { CHECK(has_edge(graph, v, w)); });
-  CHECK(evidence_along(loop, graph).length() == Approx(14 * std::sin(CGAL_PI / 7)));
+  for(std::size_t last = 0; last < 7; ++last) {
+    CAPTURE(last);
+    Loop_search loops(graph.vertices.size());
+    for(std::size_t e = 0; e < graph.edges.size(); ++e)
+      if(e != last) {
+        CHECK(loops.closed_by(graph.edges[e]).empty());
+        loops.add(graph.edges[e]);
+      }
+    const Loop loop = loops.closed_by(graph.edges[last]);
+    CHECK(loop.size() == 7);
+    visit_edges(loop, [&](std::size_t v, std::size_t w) { CHECK(has_edge(graph, v, w)); });
+    CHECK(evidence_along(loop, graph).length() == Approx(14 * std::sin(CGAL_PI / 7)));
+  }
+}
+
+TEST_CASE("An edge beside a long loop is asked for the short one that it closes")
+{
+  Skeleton_graph graph = polygon(40, 1);
+  graph.vertices.resize(41);
+  graph.vertices[40].evidence = 0.9;
+  graph.edges.emplace_back(0, 40); // a detour around vertex 1
+  graph.edges.emplace_back(40, 2);
+  std::vector<std::size_t> sizes;
+  with_loops_opened(graph, [&](const Loop& loop) {
+    sizes.push_back(loop.size());
+    return true;
+  });
+  CHECK(sizes == std::vector<std::size_t>{40, 4});
 }
 
 TEST_CASE("A loop is opened where its evidence is least")

@@ -29,7 +29,7 @@ inline Skeleton_graph::Vertex between(const Skeleton_graph::Vertex& a,
   return {Vector3(a.position + t * (b.position - a.position)),
           mean(a.radius, b.radius),
           mean(a.resolution, b.resolution),
-          false,
+          true,
           a.is_on_line && b.is_on_line,
           mean(a.evidence, b.evidence),
           mean(a.open, b.open)};

@@ -9,6 +9,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/branches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/open_loops.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/refine_curve.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 
@@ -29,7 +30,8 @@ public:
   /// `surface[v]` are the surface points of vertex v. Refers to the other arguments. O(n).
   Limb_continuation(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
                     const Curve_options& options)
-    : options_(options), graph_(graph), adjacency_(graph.adjacency()), limbs_(adjacency_.size())
+    : options_(options), graph_(graph), adjacency_(graph.adjacency()), limbs_(adjacency_.size()),
+      loops_(adjacency_.size())
   {
     for(std::size_t v = 0; v < adjacency_.size(); ++v)
       if(is_tip(v))
@@ -37,22 +39,27 @@ public:
   }
 
   /// Adds the bridges, at most one from each tip, the shorter first: those between two tips, which
-  /// tell more, then those that end elsewhere, also within a bridge.
+  /// tell more, then those that end elsewhere, also within a bridge. A tip that would close a loop
+  /// without room for a hole touches a limb.
   void run()
   {
+    for(const Skeleton_graph::Edge& edge : graph_.edges)
+      loops_.add(edge);
     std::vector<bool> is_continued(adjacency_.size(), false);
     for(const Bridge& gap : pairs_of_tips()) {
       if(is_continued[gap.a] || is_continued[gap.b])
         continue;
       is_continued[gap.a] = is_continued[gap.b] = true;
-      add_with_vertices(gap);
+      if(leaves_room(gap))
+        add_with_vertices(gap);
     }
     adjacency_ = graph_.adjacency();
     for(const Bridge& gap : ends_elsewhere()) {
       if(is_continued[gap.a])
         continue;
       is_continued[gap.a] = true;
-      graph_.edges.emplace_back(gap.a, gap.b);
+      if(leaves_room(gap))
+        add_edge(gap.a, gap.b);
     }
   }
 
@@ -116,6 +123,19 @@ private:
     });
   }
 
+  /// Whether a bridge closes no loop, or one with room for a hole.
+  bool leaves_room(const Bridge& gap)
+  {
+    const Loop loop = loops_.closed_by({gap.a, gap.b});
+    return loop.empty() || has_room_for_hole(loop, graph_);
+  }
+
+  void add_edge(std::size_t v, std::size_t w)
+  {
+    graph_.edges.emplace_back(v, w);
+    loops_.add(graph_.edges.back());
+  }
+
   /// Adds a bridge between two tips with vertices in it, as dense as those of their limbs.
   void add_with_vertices(const Bridge& gap)
   {
@@ -127,10 +147,11 @@ private:
     for(double k = 1; k < edges; ++k) {
       graph_.vertices.push_back(
         between(graph_.vertices[gap.a], graph_.vertices[gap.b], k / edges));
-      graph_.edges.emplace_back(last, graph_.vertices.size() - 1);
+      loops_.add_vertex();
+      add_edge(last, graph_.vertices.size() - 1);
       last = graph_.vertices.size() - 1;
     }
-    graph_.edges.emplace_back(last, gap.b);
+    add_edge(last, gap.b);
   }
 
   /// Whether a limb may go on where nothing was seen.
@@ -190,6 +211,7 @@ private:
   Skeleton_graph& graph_;
   std::vector<std::vector<std::size_t>> adjacency_; ///< With the bridges between tips, once added.
   std::vector<Limb> limbs_; ///< Of each tip, as seen; of other vertices empty.
+  Loop_search loops_;       ///< With the bridges.
 };
 
 /// Part 3d: adds edges over gaps, from a tip to a vertex that it points at, or to a tip that points
@@ -197,7 +219,7 @@ private:
 /// have been seen from all sides (a tip that was ends there), and what ends at a gap must be longer
 /// than the gap between its surface points: as much as is missing was seen. What holds for a limb
 /// holds for two that face each other, taken together; if their points are next to each other,
-/// they are one limb without that. Closes cycles. `surface[v]` are the surface points of vertex v.
+/// they are one limb without that. Closes cycles, if there is room for a hole. `surface[v]` are the surface points of vertex v.
 /// O(n log n), times the vertices within twice the length of a limb.
 inline void continue_limbs(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
                            const Curve_options& options)

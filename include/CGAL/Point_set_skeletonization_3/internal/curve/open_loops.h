@@ -70,89 +70,76 @@ inline bool has_room_for_hole(const Loop& loop, const Skeleton_graph& graph)
   return 2 * area * separators >= radii * length;
 }
 
-/// The loops of a skeleton graph that evidence closes last: each is closed by an edge that is not
-/// in the maximum spanning forest of the evidence, and no edge of the loop has less.
-class Weakest_loops
+/// The edges of a skeleton graph that are added one by one, and the loops that they close.
+class Loop_search
 {
 public:
-  /// An edge has the evidence of its weaker end. Refers to the graph. O(n log n).
-  explicit Weakest_loops(const Skeleton_graph& graph)
-    : graph_(graph), parent_(graph.vertices.size(), none),
-      depth_(graph.vertices.size(), 0)
+  explicit Loop_search(std::size_t vertices) : adjacency_(vertices), before_(vertices, none) {}
+
+  /// O(1).
+  void add_vertex()
   {
-    std::vector<Skeleton_graph::Edge> edges = graph.edges;
-    std::stable_sort(edges.begin(), edges.end(),
-                     [&](const auto& a, const auto& b) { return weaker_end(a) > weaker_end(b); });
-    Skeleton_graph forest;
-    forest.vertices.resize(graph.vertices.size());
-    Union_find sets(graph.vertices.size());
-    for(const Skeleton_graph::Edge& e : edges)
-      (sets.join(e.first, e.second) ? forest.edges : closing_).push_back(e);
-    root(forest.adjacency());
+    adjacency_.emplace_back();
+    before_.push_back(none);
   }
 
-  /// The edges that close the loops, those of most evidence first.
-  const std::vector<Skeleton_graph::Edge>& closing_edges() const { return closing_; }
-
-  /// The loop that `edge` closes. O(length of the loop). \pre it is one of `closing_edges()`
-  Loop loop(const Skeleton_graph::Edge& edge) const
+  /// O(1).
+  void add(const Skeleton_graph::Edge& edge)
   {
-    Loop result, back;
-    auto [v, w] = edge;
-    while(v != w)
-      if(depth_[v] >= depth_[w]) {
+    adjacency_[edge.first].push_back(edge.second);
+    adjacency_[edge.second].push_back(edge.first);
+  }
+
+  /// The loop of fewest edges that `edge` closes with those that were added; empty if there is
+  /// none. Breadth-first search: O(vertices that are no further along the edges).
+  Loop closed_by(const Skeleton_graph::Edge& edge)
+  {
+    const auto [from, to] = edge;
+    std::vector<std::size_t> reached = {from};
+    before_[from] = from;
+    for(std::size_t next = 0; next < reached.size() && before_[to] == none; ++next)
+      for(std::size_t w : adjacency_[reached[next]])
+        if(before_[w] == none) {
+          before_[w] = reached[next];
+          reached.push_back(w);
+        }
+    Loop result;
+    if(before_[to] != none) {
+      for(std::size_t v = to; v != from; v = before_[v])
         result.push_back(v);
-        v = parent_[v];
-      } else {
-        back.push_back(w);
-        w = parent_[w];
-      }
-    result.push_back(v);
-    result.insert(result.end(), back.rbegin(), back.rend());
+      result.push_back(from);
+    }
+    for(std::size_t v : reached)
+      before_[v] = none;
     return result;
   }
 
 private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  double weaker_end(const Skeleton_graph::Edge& e) const
-  {
-    return (std::min)(graph_.vertices[e.first].evidence, graph_.vertices[e.second].evidence);
-  }
-
-  /// Roots each tree of the forest, by breadth-first search.
-  void root(const std::vector<std::vector<std::size_t>>& adjacency)
-  {
-    std::vector<std::size_t> reached;
-    for(std::size_t start = 0; start < adjacency.size(); ++start) {
-      if(parent_[start] != none)
-        continue;
-      parent_[start] = start;
-      reached.assign(1, start);
-      for(std::size_t next = 0; next < reached.size(); ++next)
-        for(std::size_t w : adjacency[reached[next]])
-          if(parent_[w] == none) {
-            parent_[w] = reached[next];
-            depth_[w] = depth_[reached[next]] + 1;
-            reached.push_back(w);
-          }
-    }
-  }
-
-  const Skeleton_graph& graph_;
-  std::vector<Skeleton_graph::Edge> closing_;
-  std::vector<std::size_t> parent_, depth_; ///< In the forest.
+  std::vector<std::vector<std::size_t>> adjacency_;
+  std::vector<std::size_t> before_; ///< On the way from where a search began, during it.
 };
 
 /// Part 3c: returns the graph with loops opened where their evidence is least, unless
-/// `is_kept(loop)`. O(n log n + loops times their length).
+/// `is_kept(loop)`. Edges are added in the order of their evidence, that of the weaker end. One that
+/// closes a loop is asked for the shortest one: around a narrow hole, not the long way beside it.
+/// O(n log n + loops times the vertices as near as their length).
 template <typename IsKept>
 Skeleton_graph with_loops_opened(Skeleton_graph graph, const IsKept& is_kept)
 {
-  const Weakest_loops loops(graph);
-  std::vector<Skeleton_graph::Edge> opened;
-  for(const Skeleton_graph::Edge& edge : loops.closing_edges())
-    if(!is_kept(loops.loop(edge)))
+  const auto weaker_end = [&](const Skeleton_graph::Edge& e) {
+    return (std::min)(graph.vertices[e.first].evidence, graph.vertices[e.second].evidence);
+  };
+  std::vector<Skeleton_graph::Edge> edges = graph.edges, opened;
+  std::stable_sort(edges.begin(), edges.end(),
+                   [&](const auto& a, const auto& b) { return weaker_end(a) > weaker_end(b); });
+  Union_find sets(graph.vertices.size());
+  Loop_search loops(graph.vertices.size());
+  for(const Skeleton_graph::Edge& edge : edges)
+    if(sets.join(edge.first, edge.second) || is_kept(loops.closed_by(edge)))
+      loops.add(edge);
+    else
       opened.push_back(edge);
   std::sort(opened.begin(), opened.end());
   const auto is_opened = [&](const Skeleton_graph::Edge& edge) {
