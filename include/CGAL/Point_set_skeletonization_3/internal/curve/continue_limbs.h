@@ -219,8 +219,8 @@ private:
 /// have been seen from all sides (a tip that was ends there), and what ends at a gap must be longer
 /// than the gap between its surface points: as much as is missing was seen. What holds for a limb
 /// holds for two that face each other, taken together; if their points are next to each other,
-/// they are one limb without that. Closes cycles, if there is room for a hole. `surface[v]` are the surface points of vertex v.
-/// O(n log n), times the vertices within twice the length of a limb.
+/// they are one limb without that. Closes cycles, if there is room for a hole. `surface[v]` are the
+/// surface points of vertex v. O(n log n), times the vertices within twice the length of a limb.
 inline void continue_limbs(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
                            const Curve_options& options)
 {

@@ -122,8 +122,8 @@ private:
 };
 
 /// Part 3c: returns the graph with loops opened where their evidence is least, unless
-/// `is_kept(loop)`. Edges are added in the order of their evidence, that of the weaker end. One that
-/// closes a loop is asked for the shortest one: around a narrow hole, not the long way beside it.
+/// `is_kept(loop)`. Edges are added in the order of their evidence, that of the weaker end. Of one
+/// that closes loops the shortest is asked: around a narrow hole, not the long way beside it.
 /// O(n log n + loops times the vertices as near as their length).
 template <typename IsKept>
 Skeleton_graph with_loops_opened(Skeleton_graph graph, const IsKept& is_kept)
