@@ -47,7 +47,7 @@ inline Curve_fitting curve_of(const Limb_network& network, const Surface& surfac
 }
 
 /// Whether the reading as a frame explains a shape: contacts and continuations close loops of
-/// nearly all open limbs. If many of them are on no loop, limbs end freely as in a tree, and what
+/// most open limbs. If many of them are on no loop, limbs end freely as in a tree, and what
 /// touches does so by accident. Limbs that were seen from all sides say nothing about the others.
 /// Where noise hides the other sides, a frame with no more loops is kept nevertheless: what tells
 /// limbs apart in a tree is how coplanar patches are, which noise spoils. O(n log n).
