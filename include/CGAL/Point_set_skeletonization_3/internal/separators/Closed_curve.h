@@ -51,14 +51,16 @@ public:
     }
     for(; k < size; ++k) // rounding
       points_[k] = curve.front();
+    const std::vector<double> values = winding_number_.at_places(
+      std::vector<Vector3>(points_.begin(), points_.end()), Concurrency::sequential);
+    for(k = 0; k < size; ++k)
+      is_inside_[k] = values[k] >= half_inside;
   }
 
   /// Whether all points are in the solid.
   bool is_solid() const
   {
-    const std::vector<double> values = winding_number_.at_places(
-      std::vector<Vector3>(points_.begin(), points_.begin() + size_), Concurrency::sequential);
-    return *std::min_element(values.begin(), values.end()) >= half_inside;
+    return std::all_of(is_inside_.begin(), is_inside_.begin() + size_, [](bool in) { return in; });
   }
 
   /// Whether the curve can be moved onto `other` inside the solid, each point straight to its
@@ -144,13 +146,15 @@ private:
     constexpr std::size_t least = 16; // with eight, a curve cuts through corners of an obstacle
     while(size_ > least && length < static_cast<double>(size_) * resolution_) {
       size_ /= 2;
-      for(std::size_t k = 0; k < size_; ++k)
+      for(std::size_t k = 0; k < size_; ++k) {
         points_[k] = points_[2 * k];
+        is_inside_[k] = is_inside_[2 * k];
+      }
     }
   }
 
   /// Moves each point to the mean of the longest part of the curve around it that the solid
-  /// permits. A point at the boundary slides along it. Returns whether any point moved.
+  /// permits. A point inside, at the boundary, slides along it. Returns whether any point moved.
   bool shorten()
   {
     bool any_moved = false;
@@ -162,7 +166,7 @@ private:
       bool moved = false;
       for(std::size_t k = 0; k < 4 && !moved; ++k)
         moved = winding_numbers[k] >= half_inside && move(i, means[k]);
-      if(!moved) {
+      if(!moved && is_inside_[i]) {
         const Vector3 beside = means[3] + resolution_ / 2 * away_from_air(points_[i]);
         moved = winding_number_(beside) >= half_inside && move(i, beside);
       }
@@ -199,10 +203,11 @@ private:
   /// \pre `to` is in the solid
   bool move(std::size_t i, const Vector3& to)
   {
-    const bool can = is_solid_before(points_[i], to);
-    if(can)
-      points_[i] = to;
-    return can;
+    if(!is_solid_before(points_[i], to))
+      return false;
+    points_[i] = to;
+    is_inside_[i] = true;
+    return true;
   }
 
   /// Whether the segment between two places is in the solid, tested at up to 16 places.
@@ -230,6 +235,7 @@ private:
   double resolution_;
   const Winding_number& winding_number_;
   std::array<Vector3, size> points_;
+  std::array<bool, size> is_inside_; ///< The solid; each point.
 };
 
 } // namespace internal

@@ -88,7 +88,6 @@ private:
   struct Path
   {
     Path_search::Path patches; ///< Empty if there is none.
-    bool is_around_gap = false; ///< In a sheet; whatever its curve is.
     std::size_t curve = none;  ///< Known curve that it can be moved onto; `none` if it is short.
   };
 
@@ -97,7 +96,7 @@ private:
   {
     Closed_curve curve;
     bool is_solid; ///< Otherwise no curve can be moved onto it.
-    bool is_contractible;
+    bool is_contractible; ///< Known, or set once it is tested.
   };
 
   void remove(std::size_t s)
@@ -144,9 +143,7 @@ private:
 
   bool has_contractible_path(const Path& path) const
   {
-    return path.curve != none &&
-           (curves_[path.curve].is_contractible ||
-            (path.is_around_gap && !curves_[path.curve].is_solid));
+    return path.curve != none && curves_[path.curve].is_contractible;
   }
 
   /// Finds the paths that are needed whatever is chosen before: those around candidates that come
@@ -179,13 +176,13 @@ private:
     for(std::size_t k = 0; k < separators.size(); ++k) {
       Path& path = result[k];
       if(static_cast<double>(path.patches.size()) > options_.around_a_tip) {
-        path.is_around_gap = fills_gaps_ && is_around_gap(path.patches, *separators[k]);
-        path.curve = curve_like(closed_curve(path.patches, *separators[k]));
+        const bool is_around_gap = fills_gaps_ && this->is_around_gap(path.patches, *separators[k]);
+        path.curve = curve_like(closed_curve(path.patches, *separators[k]), is_around_gap);
       }
     }
     parallel_for(concurrency_, curves_.size() - known, [&](std::size_t k) {
       Known_curve& curve = curves_[known + k];
-      curve.is_contractible = curve.curve.is_contractible();
+      curve.is_contractible = curve.is_contractible || curve.curve.is_contractible();
     });
     return result;
   }
@@ -222,16 +219,19 @@ private:
     return Closed_curve(positions, surface_.patches[separator.patches.front()].spacing, surface_);
   }
 
-  /// Index of a known curve that this one can be moved onto; it is added if there is none.
-  std::size_t curve_like(const Closed_curve& curve)
+  /// Index of a known curve that this one can be moved onto; it is added if there is none. Around a
+  /// gap of a sheet, where there is no solid to move it in, it counts as contractible.
+  std::size_t curve_like(const Closed_curve& curve, bool is_around_gap)
   {
     const auto found =
       std::find_if(curves_.begin(), curves_.end(), [&](const Known_curve& known) {
         return known.is_solid && curve.can_be_moved_onto(known.curve);
       });
     const auto result = static_cast<std::size_t>(found - curves_.begin());
-    if(found == curves_.end())
-      curves_.push_back({curve, curve.is_solid(), false});
+    if(found == curves_.end()) {
+      const bool is_solid = curve.is_solid();
+      curves_.push_back({curve, is_solid, is_around_gap && !is_solid});
+    }
     return result;
   }
 
