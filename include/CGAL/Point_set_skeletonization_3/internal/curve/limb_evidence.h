@@ -85,16 +85,24 @@ private:
     return area > 0 ? cosines / area : 0;
   }
 
-  /// The linearity of the points around a place, 1 - a / b for the greatest variances b and a, less
-  /// what as many scattered points show by chance.
+  /// The linearity of the points around a place, in a window in which a limb is longer than wide, or
+  /// in half of that: of a thin limb the wide one reaches beyond the next joint.
   double of_line(const Vector3& place, double half_width) const
   {
-    constexpr double around = 2.5; // half widths: in the window a limb is longer than wide
+    constexpr double around = 2.5; // half widths
+    return (std::max)(linearity_within(around * half_width, place),
+                      linearity_within(around / 2 * half_width, place));
+  }
+
+  /// 1 - a / b for the greatest variances b and a of the components within a distance, less what as
+  /// many scattered ones show by chance. (Components: points on one leaf are not independent.)
+  double linearity_within(double radius, const Vector3& place) const
+  {
     Vector3 sum = Vector3::Zero();
     Matrix3 products = Matrix3::Zero();
     double number = 0;
     const Box_tree& components = surface_.component_tree;
-    components.visit_within(place, around * half_width, [&](std::size_t k, double) {
+    components.visit_within(place, radius, [&](std::size_t k, double) {
       const Vector3 offset = components.positions()[k] - place;
       sum += offset;
       products += offset * offset.transpose();
