@@ -243,6 +243,8 @@ TEST_CASE("In a frame, hardly anything that was not seen from all sides is on no
   CHECK(is_frame(frame(4, 1), tree(4, 1), noise, options));
   CHECK_FALSE(is_frame(frame(5, 1), tree(5, 1), noise, options));
   CHECK(is_frame(frame(100, 0), tree(100, 0), noise, options)); // a limb seen from all sides
+  CHECK_FALSE(is_frame(frame(4, 1), tree(40, 1), noise, options)); // the frame left twigs out
+  CHECK(is_frame(frame(0, 1), tree(40, 1), noise, options)); // nothing of it is loose
 }
 
 TEST_CASE("A frame with no more loops than the tree is kept with noise")

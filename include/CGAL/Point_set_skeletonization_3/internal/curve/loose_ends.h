@@ -9,6 +9,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/two_edge_connected_components.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -35,9 +36,14 @@ inline std::size_t number_of_loops(const Skeleton_graph& graph)
   return result;
 }
 
-/// Of what was not seen from all sides, the share of the length that is on no loop, in [0, 1]; 1 if
-/// there is none, which is no evidence for loops. O(n log n).
-inline double loose_open_share(const Skeleton_graph& graph)
+/// The length of what was not seen from all sides.
+struct Open_length
+{
+  double all = 0, loose = 0; ///< The latter is on no loop.
+};
+
+/// O(n log n).
+inline Open_length open_length(const Skeleton_graph& graph)
 {
   const std::vector<std::size_t> part = two_edge_connected_components(graph);
   Curve_evidence all, loose;
@@ -46,7 +52,18 @@ inline double loose_open_share(const Skeleton_graph& graph)
     if(part[e.first] != part[e.second])
       loose.add(graph.vertices[e.first], graph.vertices[e.second]);
   }
-  return all.open_length() > 0 ? loose.open_length() / all.open_length() : 1;
+  return {all.open_length(), loose.open_length()};
+}
+
+/// Of what was not seen from all sides, the share of the length that is on no loop of a frame; 1 if
+/// there is none, which is no evidence for loops. Where limbs are longer in the other reading, the
+/// frame left twigs out, and what is loose is as much longer: the share may exceed 1. O(n log n).
+inline double loose_open_share(const Skeleton_graph& frame, const Skeleton_graph& tree)
+{
+  const Open_length in_frame = open_length(frame);
+  return in_frame.all > 0 ? in_frame.loose * (std::max)(in_frame.all, open_length(tree).all) /
+                              (in_frame.all * in_frame.all)
+                          : 1;
 }
 
 } // namespace internal

@@ -47,8 +47,8 @@ inline Curve_fitting curve_of(const Limb_network& network, const Surface& surfac
 }
 
 /// Whether the reading as a frame explains a shape: contacts and continuations close loops of
-/// most open limbs. If many of them are on no loop, limbs end freely as in a tree, and what
-/// touches does so by accident. Limbs that were seen from all sides say nothing about the others.
+/// most open limbs. If many of them are on no loop or left out, limbs end freely as in a tree, and
+/// what touches does so by accident. Limbs that were seen from all sides say nothing about others.
 /// Where noise hides the other sides, a frame with no more loops is kept nevertheless: what tells
 /// limbs apart in a tree is how coplanar patches are, which noise spoils. O(n log n).
 /// \param noise strength of the noise removed, in [0, 1]
@@ -56,7 +56,7 @@ inline bool is_frame(const Skeleton_graph& frame, const Skeleton_graph& tree, do
                      const Linking_options& options)
 {
   return (noise > options.much_noise && number_of_loops(frame) <= number_of_loops(tree)) ||
-         loose_open_share(frame) < options.loose_share;
+         loose_open_share(frame, tree) < options.loose_share;
 }
 
 /// Stage 3: returns the curve skeleton of samples. O(n log n) in practice.
