@@ -51,7 +51,7 @@ public:
     double solid = 0, number = 0;
     for(std::size_t k = 0; k < patches.size(); k += step, ++number)
       solid += (std::max)(0.0, of_solid(patches[k]));
-    return (std::max)(solid / number, of_line(vertex.position, half_width(vertex, patches)));
+    return (std::max)(solid / number, of_line(vertex, half_width(vertex, patches)));
   }
 
 private:
@@ -85,13 +85,16 @@ private:
     return area > 0 ? cosines / area : 0;
   }
 
-  /// The linearity of the points around a place, in a window in which a limb is longer than wide, or
-  /// in half of that: of a thin limb the wide one reaches beyond the next joint.
-  double of_line(const Vector3& place, double half_width) const
+  /// The linearity of the points around the middle of a limb, in a window in which it is longer than
+  /// wide. Where no other side was seen, also in half of that: a line may be much thinner than its
+  /// spacing, and the wide window reaches beyond the next joint.
+  double of_line(const Skeleton_graph::Vertex& vertex, double half_width) const
   {
     constexpr double around = 2.5; // half widths
-    return (std::max)(linearity_within(around * half_width, place),
-                      linearity_within(around / 2 * half_width, place));
+    const double wide = linearity_within(around * half_width, vertex.position);
+    return vertex.open < 1 ? wide
+                           : (std::max)(wide, linearity_within(around / 2 * half_width,
+                                                               vertex.position));
   }
 
   /// 1 - a / b for the greatest variances b and a of the components within a distance, less what as

@@ -36,34 +36,30 @@ inline std::size_t number_of_loops(const Skeleton_graph& graph)
   return result;
 }
 
-/// The length of what was not seen from all sides.
-struct Open_length
+/// What was seen along all edges. O(n).
+inline Curve_evidence evidence_along(const Skeleton_graph& graph)
 {
-  double all = 0, loose = 0; ///< The latter is on no loop.
-};
-
-/// O(n log n).
-inline Open_length open_length(const Skeleton_graph& graph)
-{
-  const std::vector<std::size_t> part = two_edge_connected_components(graph);
-  Curve_evidence all, loose;
-  for(const Skeleton_graph::Edge& e : graph.edges) {
-    all.add(graph.vertices[e.first], graph.vertices[e.second]);
-    if(part[e.first] != part[e.second])
-      loose.add(graph.vertices[e.first], graph.vertices[e.second]);
-  }
-  return {all.open_length(), loose.open_length()};
+  Curve_evidence result;
+  for(const Skeleton_graph::Edge& e : graph.edges)
+    result.add(graph.vertices[e.first], graph.vertices[e.second]);
+  return result;
 }
 
 /// Of what was not seen from all sides, the share of the length that is on no loop of a frame; 1 if
-/// there is none, which is no evidence for loops. Where limbs are longer in the other reading, the
-/// frame left twigs out, and what is loose is as much longer: the share may exceed 1. O(n log n).
+/// there is none, which is no evidence for loops. Where the tree is longer, the frame left twigs
+/// out, and what is loose counts as many times more: the share may exceed 1. O(n log n).
 inline double loose_open_share(const Skeleton_graph& frame, const Skeleton_graph& tree)
 {
-  const Open_length in_frame = open_length(frame);
-  return in_frame.all > 0 ? in_frame.loose * (std::max)(in_frame.all, open_length(tree).all) /
-                              (in_frame.all * in_frame.all)
-                          : 1;
+  const Curve_evidence all = evidence_along(frame);
+  if(all.open_length() == 0)
+    return 1;
+  const std::vector<std::size_t> part = two_edge_connected_components(frame);
+  Curve_evidence loose;
+  for(const Skeleton_graph::Edge& e : frame.edges)
+    if(part[e.first] != part[e.second])
+      loose.add(frame.vertices[e.first], frame.vertices[e.second]);
+  const double left_out = (std::max)(1.0, evidence_along(tree).length() / all.length());
+  return left_out * loose.open_length() / all.open_length();
 }
 
 } // namespace internal

@@ -154,7 +154,8 @@ private:
   }
 
   /// Moves each point to the mean of the longest part of the curve around it that the solid
-  /// permits. A point inside, at the boundary, slides along it. Returns whether any point moved.
+  /// permits. A point at the boundary, inside or next to one inside, slides along it. Returns whether
+  /// any point moved.
   bool shorten()
   {
     bool any_moved = false;
@@ -166,7 +167,8 @@ private:
       bool moved = false;
       for(std::size_t k = 0; k < 4 && !moved; ++k)
         moved = winding_numbers[k] >= half_inside && move(i, means[k]);
-      if(!moved && is_inside_[i]) {
+      if(!moved && (is_inside_[i] || is_inside_[(i + 1) % size_] ||
+                    is_inside_[(i + size_ - 1) % size_])) {
         const Vector3 beside = means[3] + resolution_ / 2 * away_from_air(points_[i]);
         moved = winding_number_(beside) >= half_inside && move(i, beside);
       }
