@@ -22,7 +22,7 @@ struct Linking_options
 
   /// Share of the length of open limbs that is on no loop in the reading as a frame, in (0, 1):
   /// with less, it is a frame. Wire frames leave up to 0.16 where gaps are not bridged, sparse
-  /// trees of a few hundred points 0.21 and more, crowns in leaf 0.23, scanned trees 0.28, plants
+  /// trees of a few hundred points 0.21 and more, crowns in leaf 0.25, scanned trees 0.28, plants
   /// 0.65. See `loose_open_share()`.
   double loose_share = 0.2;
 
