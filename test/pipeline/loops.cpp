@@ -50,8 +50,8 @@ Graph_counts counts_of(const std::vector<Vector>& points)
 
 using CGAL::Point_set_skeletonization_3::internal::Skeleton_graph;
 
-/// A chain of 20 edges of length 1, closed or not, that was seen from one side, and one of `tail` edges
-/// that begins at its second vertex, `open` in [0, 1].
+/// A chain of 20 edges of length 1, closed or not, that was seen from one side, and one of `tail`
+/// edges that begins at its second vertex, `open` in [0, 1].
 Skeleton_graph ring_with_tail(std::size_t tail, double open, bool is_closed)
 {
   constexpr std::size_t size = 20;

@@ -85,9 +85,9 @@ private:
     return area > 0 ? cosines / area : 0;
   }
 
-  /// The linearity of the points around the middle of a limb, in a window in which it is longer than
-  /// wide. Where no other side was seen, also in half of that: a line may be much thinner than its
-  /// spacing, and the wide window reaches beyond the next joint.
+  /// The linearity of the points around the middle of a limb, in a window in which it is longer
+  /// than wide. Where no other side was seen, also in half of that: a line may be much thinner than
+  /// its spacing, and the wide window reaches beyond the next joint.
   double of_line(const Skeleton_graph::Vertex& vertex, double half_width) const
   {
     constexpr double around = 2.5; // half widths

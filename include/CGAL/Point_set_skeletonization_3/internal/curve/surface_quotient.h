@@ -186,15 +186,16 @@ inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
   const double share = 1 / static_cast<double>(members.size());
   std::vector<Vector3> positions;
   Vector3 sum = Vector3::Zero();
-  double components = 0;
+  double components = 0, open = 0;
   for(std::size_t i : members) {
     result.radius += share * samples[i].radius;
     result.resolution += share * patches[i].resolution();
-    result.open += is_off_surface(samples[i], patches[i]) ? 0 : share;
+    open += is_off_surface(samples[i], patches[i]) ? 0 : 1;
     positions.push_back(samples[i].position);
     sum += static_cast<double>(patches[i].components) * samples[i].position;
     components += static_cast<double>(patches[i].components);
   }
+  result.open = open / static_cast<double>(members.size()); // 1 if all are
   result.position = average == Average::mean
                       ? Vector3(sum / components)
                       : l1_median(positions, 0.1 * result.radius + least_spacing);

@@ -154,8 +154,8 @@ private:
   }
 
   /// Moves each point to the mean of the longest part of the curve around it that the solid
-  /// permits. A point at the boundary, inside or next to one inside, slides along it. Returns whether
-  /// any point moved.
+  /// permits. A point at the boundary, inside or next to one inside, slides along it. Returns
+  /// whether any point moved.
   bool shorten()
   {
     bool any_moved = false;
