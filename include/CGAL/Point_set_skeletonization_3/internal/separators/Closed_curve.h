@@ -237,7 +237,7 @@ private:
   double resolution_;
   const Winding_number& winding_number_;
   std::array<Vector3, size> points_;
-  std::array<bool, size> is_inside_; ///< The solid; each point.
+  std::array<bool, size> is_inside_; ///< Whether each point is in the solid.
 };
 
 } // namespace internal
