@@ -107,7 +107,9 @@ void run(const Quality_options& options)
       chosen(options.families, shapes::family_names(), "family");
   const auto name_of = [](shapes::Variant variant) { return shapes::to_string(variant); };
   const std::vector<shapes::Variant> variants =
-      chosen(options.variants, shapes::all_variants(), name_of, "variant");
+      options.variants.empty()
+          ? shapes::usual_variants()
+          : chosen(options.variants, shapes::all_variants(), name_of, "variant");
   const auto work = [&](std::size_t job) {
     const auto seed = static_cast<unsigned int>(job % options.seeds) + options.first_seed;
     return rows_of(shapes::known_shape(families[job / options.seeds], seed), variants, options);

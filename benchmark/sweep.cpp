@@ -47,7 +47,7 @@ std::vector<Cloud> clouds(const Quality_options& options)
   for(const std::string& family : shapes::family_names())
     for(unsigned int seed = options.first_seed; seed < options.first_seed + options.seeds; ++seed) {
       const shapes::Known_shape shape = shapes::known_shape(family, seed);
-      for(const shapes::Variant variant : shapes::all_variants())
+      for(const shapes::Variant variant : shapes::usual_variants())
         result.push_back({shapes::sample(shape, variant, options.points, seed),
                           {shape.components, shape.cycles, shape.ends},
                           false});

@@ -7,6 +7,7 @@
 #include "generator/Random.h"
 #include "threads.h"
 
+#include <CGAL/Point_set_skeletonization_3/internal/consolidation/crossing_rows.h>
 #include <CGAL/Point_set_skeletonization_3/internal/consolidation/merge_rows.h>
 #include <CGAL/number_utils.h>
 
@@ -109,17 +110,29 @@ TEST_CASE("A plane that is sampled evenly stays as it is, and so do two wires an
   }
 }
 
-TEST_CASE("Points much further apart than cells are wide are no rows, but single points")
+TEST_CASE("Rows that cross fill the cells of a level, single points none")
 {
   for(unsigned seed = 0; seed < seeds; ++seed) {
     CAPTURE(seed);
     Random random(seed);
     constexpr double wide = 12, apart = 5;
-    std::vector<Vector3> places = rows(12, apart, random.uniform(0, 3), random);
-    CHECK(merged(places).components.size() < places.size());
+    const double angle = random.uniform(0, 3);
+    std::vector<Vector3> places = rows(20, apart, angle, random);
+    for(const Vector3& p : rows(20, apart, angle + CGAL_PI / 2, random))
+      places.push_back(p + 100 * spacing * Vector3(std::cos(angle), std::sin(angle), 0));
+    const auto are_rows = [](const std::vector<Vector3>& crossing) {
+      const Consolidated_mixture mixture = mixture_of(crossing);
+      const Component_octree octree(mixture.components, mixture.cell_size);
+      const std::vector<int> levels =
+        Crossing_rows(mixture.components, mixture.neighbors, octree, flatness,
+                      Concurrency::sequential)
+          .levels();
+      return std::count(levels.begin(), levels.end(), 0) < std::ptrdiff_t(levels.size() / 2);
+    };
+    CHECK(are_rows(places));
     for(Vector3& p : places)
       p *= wide;
-    CHECK(merged(places).components.size() == places.size());
+    CHECK_FALSE(are_rows(places));
   }
 }
 

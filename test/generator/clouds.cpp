@@ -11,6 +11,16 @@ namespace shapes {
 
 const std::vector<Variant>& all_variants()
 {
+  static const std::vector<Variant> variants = [] {
+    std::vector<Variant> result = usual_variants();
+    result.push_back(Variant::slices);
+    return result;
+  }();
+  return variants;
+}
+
+const std::vector<Variant>& usual_variants()
+{
   static const std::vector<Variant> variants = {
       Variant::clean, Variant::noise_half_percent, Variant::noise_one_percent, Variant::outliers,
       Variant::holes, Variant::falling_density};
@@ -32,6 +42,8 @@ const char* to_string(Variant variant)
     return "holes";
   case Variant::falling_density:
     return "falling_density";
+  case Variant::slices:
+    return "slices";
   }
   return "";
 }
@@ -170,6 +182,24 @@ std::vector<Vector> sample_falling(const Known_shape& shape, std::size_t number_
   return points;
 }
 
+/// Slices as of a computer tomograph, or of a scanner with a few beams.
+std::vector<Vector> sample_slices(const Known_shape& shape, std::size_t number_of_points,
+                                  Random& random)
+{
+  constexpr double apart = 6, thickness = 0.1; // distances of points in a slice
+  const double area = shape.solid.area(random) / static_cast<double>(number_of_points);
+  const double distance = std::sqrt(apart * area);
+  const Vector direction = random.direction();
+  std::vector<Vector> points;
+  while(points.size() < number_of_points) {
+    const Vector p = shape.solid.random_point(random);
+    const double place = p.dot(direction) / distance;
+    if(std::abs(place - std::round(place)) < thickness / apart / 2)
+      points.push_back(p);
+  }
+  return points;
+}
+
 } // namespace
 
 std::vector<Vector> sample(const Known_shape& shape, Variant variant,
@@ -189,6 +219,8 @@ std::vector<Vector> sample(const Known_shape& shape, Variant variant,
     return sample_with_holes(shape, number_of_points, random);
   case Variant::falling_density:
     return sample_falling(shape, number_of_points, random);
+  case Variant::slices:
+    return sample_slices(shape, number_of_points, random);
   }
   return sample_clean(shape, number_of_points, random);
 }

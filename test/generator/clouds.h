@@ -20,10 +20,14 @@ enum class Variant
   noise_one_percent,
   outliers,       ///< Two per cent of the points anywhere in the bounding box, enlarged by 1.2.
   holes,          ///< Patches nearly as large as the limb is thick have no points.
-  falling_density ///< Falls by a factor of eight along a random direction.
+  falling_density, ///< Falls by a factor of eight along a random direction.
+  slices ///< In parallel planes, six times as far apart as the points in one are from each other.
 };
 
 const std::vector<Variant>& all_variants();
+
+/// Those that sample a surface evenly in all directions: all but the slices.
+const std::vector<Variant>& usual_variants();
 
 const char* to_string(Variant variant);
 

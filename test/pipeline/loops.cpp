@@ -232,6 +232,26 @@ TEST_CASE("A lattice of wires has its loops, though few patches lead from joint 
   }
 }
 
+TEST_CASE("A net of wires has its loops, though the wires look like the rows of a scanner")
+{
+  // None were found while wider cells, which a net fills, were asked.
+  constexpr int meshes = 5, points_of_edge = 36;
+  for(const unsigned int seed : seeds) {
+    CAPTURE(seed);
+    shapes::Random random(seed);
+    std::vector<Vector> points;
+    for(int wire = 0; wire <= meshes; ++wire)
+      for(int k = 0; k < meshes * points_of_edge; ++k) {
+        const double place = (k + random.uniform()) / points_of_edge;
+        points.push_back(Vector(place, wire, 0) + 0.01 * random.normal_vector());
+        points.push_back(Vector(wire, place, 0) + 0.01 * random.normal_vector());
+      }
+    const Graph_counts counts = counts_of(points);
+    CHECK(counts.components == 1);
+    CHECK(counts.cycles == meshes * meshes);
+  }
+}
+
 TEST_CASE("In a frame, hardly anything that was not seen from all sides is on no loop")
 {
   using CGAL::Point_set_skeletonization_3::internal::is_frame;

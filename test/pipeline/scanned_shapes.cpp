@@ -139,13 +139,23 @@ TEST_CASE("Noise of half a per cent of the diagonal: exact and centred")
 TEST_CASE("What else a scanner does: exact and centred")
 {
   const Variant variant = GENERATE(Variant::noise_one_percent, Variant::outliers, Variant::holes,
-                                   Variant::falling_density);
+                                   Variant::falling_density, Variant::slices);
   const std::string family = GENERATE(as<std::string>(), "ring", "body_with_limbs");
   CAPTURE(family, shapes::to_string(variant));
   const shapes::Known_shape shape = shapes::known_shape(family, 1);
   const Skeleton skeleton = skeleton_of(shape, variant);
   check_counts(skeleton, shape);
   check_centred(skeleton, shape, 0.15);
+}
+
+TEST_CASE("Slices: every slice is no limb, and what is between two is no loop")
+{
+  // Up to 74 false loops while only the slices of a plane were told from lines.
+  const std::string family = GENERATE(as<std::string>(), "frame", "knot", "plant", "two_parts");
+  const unsigned int seed = GENERATE(1u, 2u);
+  CAPTURE(family, seed);
+  const shapes::Known_shape shape = shapes::known_shape(family, seed);
+  check_counts(skeleton_of(shape, Variant::slices), shape);
 }
 
 TEST_CASE("Twigs of a few points across are no noise: most tips of a sparse scan are found")
