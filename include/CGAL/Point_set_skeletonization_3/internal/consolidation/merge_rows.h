@@ -52,7 +52,7 @@ inline std::vector<int> levels_of_rows(const Consolidated_mixture& mixture,
                                        const Component_octree& octree, double flatness,
                                        Concurrency concurrency)
 {
-  constexpr double contiguous = 2; // cells from one component of a row to the next
+  constexpr double contiguous = 4; // cells from one component to the next, in clouds of few points
   const std::vector<Vector3> places = means_of(mixture.components);
   const std::vector<double> distances =
     Parallel_rows(places, mixture.tree, mixture.neighbors, contiguous * mixture.cell_size,
@@ -69,8 +69,8 @@ inline std::vector<int> levels_of_rows(const Consolidated_mixture& mixture,
 }
 
 /// Returns a mixture in which the rows of a surface are pieces that are about as long as the rows
-/// are apart: so neighbours are as near along the rows as across. Where a tenth of the components
-/// is in rows, what looked like a cloud of lines were these; of twigs 2 % are, by chance. Nothing changes in a cloud without rows, or if the cells are too small for an
+/// are apart: so neighbours are as near along the rows as across. What looked like a cloud of lines
+/// were rows. Nothing changes in a cloud without rows, or if the cells are too small for an
 /// octree. O(n log n).
 inline Consolidated_mixture with_rows_merged(Consolidated_mixture mixture, double flatness,
                                              Concurrency concurrency)
@@ -110,10 +110,6 @@ inline Consolidated_mixture with_rows_merged(Consolidated_mixture mixture, doubl
   result.tree = Box_tree(means_of(result.components), concurrency);
   for(const std::size_t i : mixture.merged_into)
     result.merged_into.push_back(i == Consolidated_mixture::none ? i : piece_of[i]);
-  constexpr std::ptrdiff_t tenth = 10;
-  const auto alone = std::count(level_of.begin(), level_of.end(), 0);
-  const auto all = static_cast<std::ptrdiff_t>(level_of.size());
-  result.is_of_lines = mixture.is_of_lines && tenth * (all - alone) < all;
   result.noise = mixture.noise;
   result.cell_size = mixture.cell_size;
   result.neighbors = k_nearest_neighbors(result.tree, surface_neighbors + 1, concurrency);
