@@ -35,6 +35,15 @@ std::vector<double> distances_of_rows(const std::vector<Vector3>& places, double
   return Parallel_rows(places, tree, nearest, longest_step, concurrency).distances();
 }
 
+double share_on_lines(const std::vector<Vector3>& places)
+{
+  const Box_tree tree(places);
+  return Parallel_rows(places, tree,
+                       k_nearest_neighbors(tree, surface_neighbors + 1, Concurrency::sequential),
+                       2, Concurrency::sequential)
+    .share_on_lines();
+}
+
 double share_in_rows(const std::vector<Vector3>& places)
 {
   const std::vector<double> distances = distances_of_rows(places);
@@ -96,12 +105,14 @@ TEST_CASE("What is sampled evenly, twigs, nets and wires far from each other are
       plane.emplace_back(random.uniform(0, 50), random.uniform(0, 50), 0);
       volume.push_back(15 * random.uniform_vector());
     }
+    CHECK(share_on_lines(plane) < 0.1);
     CHECK(share_in_rows(plane) == 0);
     CHECK(share_in_rows(volume) == 0);
 
     for(int twig = 0; twig < 100; ++twig)
       add_line(twigs, 100 * random.uniform_vector(), random.direction(), 30, random);
-    CHECK(share_in_rows(twigs) < 0.02);
+    CHECK(share_on_lines(twigs) > 0.9);
+    CHECK(share_in_rows(twigs) == 0);
 
     for(int wire = 0; wire < 10; ++wire) {
       add_line(net, Vector3(0, 10 * wire, 0), Vector3::UnitX(), 90, random);

@@ -47,17 +47,13 @@ inline void balance(std::vector<int>& level_of, const Component_octree& octree)
 
 /// The level of the octree whose cells are about as wide as the rows of each component are apart,
 /// and two cells side by side differ by one level at most; 0: it is in no row. O(n log n).
+/// \param distances of parallel rows
 /// \param flatness see `Crossing_rows`
 inline std::vector<int> levels_of_rows(const Consolidated_mixture& mixture,
+                                       const std::vector<double>& distances,
                                        const Component_octree& octree, double flatness,
                                        Concurrency concurrency)
 {
-  constexpr double contiguous = 4; // cells from one component to the next, in clouds of few points
-  const std::vector<Vector3> places = means_of(mixture.components);
-  const std::vector<double> distances =
-    Parallel_rows(places, mixture.tree, mixture.neighbors, contiguous * mixture.cell_size,
-                  concurrency)
-      .distances();
   std::vector<int> result =
     Crossing_rows(mixture.components, mixture.neighbors, octree, flatness, concurrency).levels();
   for(std::size_t i = 0; i < result.size(); ++i)
@@ -77,9 +73,17 @@ inline Consolidated_mixture with_rows_merged(Consolidated_mixture mixture, doubl
 {
   if(!has_octree(mixture.cell_size))
     return mixture;
+  constexpr double contiguous = 4; // cells from one component to the next, in clouds of few points
+  constexpr double few = 0.1;      // of all on lines, as by chance
   const Gaussians& components = mixture.components;
+  const std::vector<Vector3> places = means_of(components);
+  Parallel_rows rows(places, mixture.tree, mixture.neighbors, contiguous * mixture.cell_size,
+                     concurrency);
+  if(rows.share_on_lines() < few)
+    return mixture;
   const Component_octree octree(components, mixture.cell_size);
-  const std::vector<int> level_of = levels_of_rows(mixture, octree, flatness, concurrency);
+  const std::vector<int> level_of =
+    levels_of_rows(mixture, rows.distances(), octree, flatness, concurrency);
   if(std::all_of(level_of.begin(), level_of.end(), [](int level) { return level == 0; }))
     return mixture;
   Union_find pieces(components.size()); // two rows, or two sheets, in one cell are not joined
