@@ -97,7 +97,7 @@ private:
     constexpr double along_line = 0.8; // share of the largest variance; half of it in a plane
     Row result;
     const double trace = products.trace();
-    // All coherent ones pass: the squares of 0.8 and 0.2 are the least sum of squares.
+    // Without eigenvalues: the norm is at least the largest of them.
     if(!(trace > 0) || products.squaredNorm() < along_line * along_line * trace * trace)
       return result;
     const auto [variances, directions] = principal_axes(products);
@@ -186,21 +186,48 @@ private:
     return result;
   }
 
-  /// Gives distances to others in the same rows, and in those beside.
+  /// Gives distances to others in the same rows, and in those beside. O(n log n).
   std::vector<double> followed(std::vector<double> distances) const
   {
-    if(std::all_of(distances.begin(), distances.end(), [](double d) { return d == 0; }))
+    std::vector<std::size_t> reached;
+    for(std::size_t i = 0; i < distances.size(); ++i)
+      if(distances[i] > 0)
+        reached.push_back(i);
+    if(reached.empty())
       return distances;
-    for(bool has_changed = true; has_changed;) {
-      std::vector<double> next = distances; // does not depend on the order of the places
-      parallel_for(concurrency_, next.size(), [&](std::size_t i) {
-        if(distances[i] == 0)
-          next[i] = distance_around(i, distances);
-      });
-      has_changed = next != distances;
-      distances = std::move(next);
+    const std::vector<std::vector<std::size_t>> followers = followers_of_places();
+    while(!reached.empty()) {
+      std::vector<std::size_t> next;
+      for(const std::size_t i : reached)
+        for(const std::size_t follower : followers[i])
+          if(distances[follower] == 0)
+            next.push_back(follower);
+      std::sort(next.begin(), next.end());
+      next.erase(std::unique(next.begin(), next.end()), next.end());
+      std::vector<double> found(next.size()); // all of the same distances, whatever their order
+      parallel_for(concurrency_, next.size(),
+                   [&](std::size_t k) { found[k] = distance_around(next[k], distances); });
+      reached.clear();
+      for(std::size_t k = 0; k < next.size(); ++k)
+        if(found[k] > 0) {
+          distances[next[k]] = found[k];
+          reached.push_back(next[k]);
+        }
     }
     return distances;
+  }
+
+  /// For each place those whose distances depend on its own, see `distance_around()`.
+  std::vector<std::vector<std::size_t>> followers_of_places() const
+  {
+    std::vector<std::vector<std::size_t>> result(rows_.size());
+    for(std::size_t i = 0; i < rows_.size(); ++i) {
+      for(const Neighbor& near : nearest_[i])
+        result[near.index].push_back(i);
+      if(rows_[i].beside != none)
+        result[rows_[i].beside].push_back(i);
+    }
+    return result;
   }
 
   /// The mean of the distances around a place: of all if most are in rows, otherwise if it is in a
