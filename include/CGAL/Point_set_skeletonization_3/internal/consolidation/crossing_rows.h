@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Finds the levels of an octree at which the rows of several scans that cross on a sheet, such as a
-/// leaf, fill it.
+/// Finds the levels of an octree at which the rows of several scans that cross on a sheet, such as
+/// a leaf, fill it.
 ///
 /// Where rows cross none has another alongside, see `Parallel_rows`; but the occupied cells of the
 /// octree tell rows and twigs apart (box counting): cells narrower than the distance of the rows

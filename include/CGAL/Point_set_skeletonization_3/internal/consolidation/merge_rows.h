@@ -5,6 +5,7 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CONSOLIDATION_MERGE_ROWS_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/consolidation/Component_cells.h>
+#include <CGAL/Point_set_skeletonization_3/internal/consolidation/cloud_of_lines.h>
 #include <CGAL/Point_set_skeletonization_3/internal/consolidation/consolidate.h>
 #include <CGAL/Point_set_skeletonization_3/internal/consolidation/crossing_rows.h>
 #include <CGAL/Point_set_skeletonization_3/internal/consolidation/parallel_rows.h>
@@ -26,8 +27,8 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Raises levels until those of components in neighbouring cells differ by one at most: patches that
-/// are much smaller than their neighbours are not adjacent to them. O(n) a level.
+/// Raises levels until those of components in neighbouring cells differ by one at most: patches
+/// that are much smaller than their neighbours are not adjacent to them. O(n) a level.
 inline void balance(std::vector<int>& level_of, const Component_octree& octree)
 {
   for(int level = *std::max_element(level_of.begin(), level_of.end()); level > 1; --level) {
@@ -45,29 +46,21 @@ inline void balance(std::vector<int>& level_of, const Component_octree& octree)
   }
 }
 
-/// The level of the octree whose cells are about as wide as the rows of each component are apart,
-/// and two cells side by side differ by one level at most; 0: it is in no row. O(n log n).
-/// \param distances of parallel rows
-/// \param flatness see `Crossing_rows`
-inline std::vector<int> levels_of_rows(const Consolidated_mixture& mixture,
-                                       const std::vector<double>& distances,
-                                       const Component_octree& octree, double flatness,
-                                       Concurrency concurrency)
+/// Raises levels to those whose cells are about as wide as parallel rows are apart. O(n).
+inline void raise_to(std::vector<int>& level_of, const std::vector<double>& distances,
+                     double cell_size)
 {
-  std::vector<int> result =
-    Crossing_rows(mixture.components, mixture.neighbors, octree, flatness, concurrency).levels();
-  for(std::size_t i = 0; i < result.size(); ++i)
-    if(distances[i] > mixture.cell_size)
-      result[i] = (std::max)(
-        result[i], static_cast<int>(std::lround(std::log2(distances[i] / mixture.cell_size))));
-  balance(result, octree);
-  return result;
+  for(std::size_t i = 0; i < level_of.size(); ++i)
+    if(distances[i] > cell_size)
+      level_of[i] = (std::max)(
+        level_of[i], static_cast<int>(std::lround(std::log2(distances[i] / cell_size))));
 }
 
 /// Returns a mixture in which the rows of a surface are pieces that are about as long as the rows
 /// are apart: so neighbours are as near along the rows as across. What looked like a cloud of lines
-/// were rows. Nothing changes in a cloud without rows, or if the cells are too small for an
-/// octree. O(n log n).
+/// may have been rows; where rows cross it was, because not all of them are found. Nothing changes
+/// in a cloud without rows, or if the cells are too small for an octree. O(n log n).
+/// \param flatness see `Crossing_rows`
 inline Consolidated_mixture with_rows_merged(Consolidated_mixture mixture, double flatness,
                                              Concurrency concurrency)
 {
@@ -82,10 +75,14 @@ inline Consolidated_mixture with_rows_merged(Consolidated_mixture mixture, doubl
   if(rows.share_on_lines() < few)
     return mixture;
   const Component_octree octree(components, mixture.cell_size);
-  const std::vector<int> level_of =
-    levels_of_rows(mixture, rows.distances(), octree, flatness, concurrency);
-  if(std::all_of(level_of.begin(), level_of.end(), [](int level) { return level == 0; }))
+  std::vector<int> level_of =
+    Crossing_rows(components, mixture.neighbors, octree, flatness, concurrency).levels();
+  const auto is_merged = [](int level) { return level > 0; };
+  const bool are_crossing = std::any_of(level_of.begin(), level_of.end(), is_merged);
+  raise_to(level_of, rows.distances(), mixture.cell_size);
+  if(std::none_of(level_of.begin(), level_of.end(), is_merged))
     return mixture;
+  balance(level_of, octree);
   Union_find pieces(components.size()); // two rows, or two sheets, in one cell are not joined
   for(std::size_t i = 0; i < components.size(); ++i)
     if(level_of[i] > 0)
@@ -117,6 +114,9 @@ inline Consolidated_mixture with_rows_merged(Consolidated_mixture mixture, doubl
   result.noise = mixture.noise;
   result.cell_size = mixture.cell_size;
   result.neighbors = k_nearest_neighbors(result.tree, surface_neighbors + 1, concurrency);
+  result.is_of_lines =
+    mixture.is_of_lines && !are_crossing &&
+    is_cloud_of_lines(result.components, result.tree, result.neighbors);
   return result;
 }
 

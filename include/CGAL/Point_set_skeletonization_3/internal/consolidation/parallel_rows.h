@@ -28,13 +28,13 @@ namespace internal {
 /// are then in its own row, as they are in a twig. What tells them apart is that a surface has only
 /// two sides across a row, and there is a row on either that runs alongside; it may be curved as
 /// much as a limb with six rows around it. Twigs run along each other on one side by chance, and on
-/// both seldom. From where most places around have such neighbours, rows are followed to their ends,
-/// and to the last ones of a surface. If that leads to few of all lines, it was by chance.
+/// both seldom. From where most places around have such neighbours, rows are followed to their
+/// ends, and to the last ones of a surface. If that leads to few of all lines, it was by chance.
 class Parallel_rows
 {
 public:
-  /// Refers to places, the tree over them, and their nearest neighbours, each first itself. Rows are
-  /// one place after the other: those further apart than `longest_step` are no row. O(n).
+  /// Refers to places, the tree over them, and their nearest neighbours, each first itself. Rows
+  /// are one place after the other: those further apart than `longest_step` are no row. O(n).
   Parallel_rows(const std::vector<Vector3>& places, const Box_tree& tree,
                 const K_nearest_neighbors& nearest, double longest_step, Concurrency concurrency)
     : places_(places), tree_(tree), nearest_(nearest), longest_step_(longest_step),
@@ -43,8 +43,8 @@ public:
     parallel_for(concurrency_, rows_.size(), [&](std::size_t i) { rows_[i] = row_at(i); });
   }
 
-  /// The share of places that are on a line, a row or a twig. By chance 1 % are on a surface that is
-  /// sampled evenly, and of places at random in a plane 7 %. O(n).
+  /// The share of places that are on a line, a row or a twig. By chance 1 % are on a surface that
+  /// is sampled evenly, and of places at random in a plane 7 %. O(n).
   double share_on_lines() const
   {
     const auto lines =
@@ -246,8 +246,8 @@ private:
     return beside != none && are_parallel(i, beside, still) ? distances[beside] : 0;
   }
 
-  /// Whether the places in rows are more of those on lines than by chance: of samples of trees up to
-  /// 15 % are, of slices and of scans with a few beams 41 % and more.
+  /// Whether the places in rows are more of those on lines than by chance: of samples of trees up
+  /// to 15 % are, of slices and of scans with a few beams 41 % and more.
   bool are_more_than_chance(const std::vector<double>& distances) const
   {
     constexpr double least = 0.25;
