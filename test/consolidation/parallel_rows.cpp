@@ -65,10 +65,10 @@ void add_line(std::vector<Vector3>& places, const Vector3& from, const Vector3& 
 
 TEST_CASE("Rows around a tube and along it are as far apart as they are")
 {
+  const bool is_around = GENERATE(true, false);
   for(unsigned seed = 0; seed < seeds; ++seed) {
     Random random(seed);
     const double apart = random.uniform(4, 7); // steps
-    const bool is_around = GENERATE(true, false);
     CAPTURE(seed, apart, is_around);
     std::vector<Vector3> tube;
     if(is_around) {

@@ -124,7 +124,7 @@ private:
   }
 
   /// The mean distance to the nearest places in the rows on both sides of a place; 0 if there are
-  /// no such rows. Sets the nearer one.
+  /// no such rows. Sets these places.
   double distance_of_sides(std::size_t i)
   {
     constexpr double farthest = 16; // steps; wires in nets and harps are further apart
