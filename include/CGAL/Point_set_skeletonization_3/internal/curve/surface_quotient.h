@@ -8,6 +8,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/l1_median.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/minimum_spanning_forest.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Region_merging.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Ball_overlaps.h>
@@ -50,8 +51,9 @@ struct Surface_quotient
 /// are not connected.
 ///
 /// To the points, limbs that touch are one surface. So adjacent patches are in one piece only if
-/// their medial balls overlap, or if they would be disconnected otherwise: a weak overlap, or an
-/// unknown ball, may connect components but never closes a cycle. O(n log n).
+/// the medial balls on both sides of the border between them overlap (`Region_merging`), or if
+/// they would be disconnected otherwise: a weak overlap may connect components but never closes a
+/// cycle. O(n log² n) in practice.
 class Surface_cut
 {
 public:
@@ -64,12 +66,13 @@ public:
       for(std::size_t i : separators[s].patches)
         separator_of_patch_[i] = s;
 
-    std::vector<Link> doubtful = join_overlapping(overlaps);
+    const std::size_t nodes = 2 * separators.size() + patches.size();
+    std::vector<Border_link> links = join_certain(overlaps);
+    Region_merging(sets_, nodes, links, border_overlap).run();
     Union_find whole = sets_; // the two sides of each separator joined
     for(std::size_t s = 0; s < separators.size(); ++s)
       whole.join(node(s, 0), node(s, 1));
-    const std::size_t nodes = 2 * separators.size() + patches.size();
-    for(const Link& link : minimum_spanning_forest(whole, nodes, std::move(doubtful)))
+    for(const Border_link& link : minimum_spanning_forest(whole, nodes, std::move(links)))
       sets_.join(link.a, link.b);
   }
 
@@ -86,28 +89,18 @@ public:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
 private:
-  /// Two adjacent nodes, and the overlap of the balls of their patches, in [0, 1].
-  struct Link
-  {
-    std::size_t a, b;
-    std::size_t index;
-    double overlap;
-
-    /// Greater overlap comes first.
-    bool operator<(const Link& other) const
-    {
-      return overlap != other.overlap ? overlap > other.overlap : index < other.index;
-    }
-  };
+  /// Least overlap along the border of two pieces of a limb: .48 and more at joints of scanned
+  /// wires; .2 to .5, mostly less than .4, where legs and feet touch.
+  static constexpr double border_overlap = 0.4;
 
   // Nodes: the two sides of every separator, then every patch.
   std::size_t node(std::size_t separator, std::size_t side) const { return 2 * separator + side; }
   std::size_t node(std::size_t patch) const { return 2 * separators_.size() + patch; }
 
-  /// Joins adjacent nodes of one limb; returns the other links.
-  std::vector<Link> join_overlapping(const Ball_overlaps& overlaps)
+  /// Joins adjacent nodes where measured balls overlap wholly; returns the other links.
+  std::vector<Border_link> join_certain(const Ball_overlaps& overlaps)
   {
-    std::vector<Link> doubtful;
+    std::vector<Border_link> links;
     for(std::size_t k = 0; k < overlaps.pairs().size(); ++k) {
       const auto [i, j] = overlaps.pairs()[k];
       if(separator_of_patch_[i] != none && separator_of_patch_[i] == separator_of_patch_[j])
@@ -115,12 +108,12 @@ private:
       const std::size_t a = end(i, j), b = end(j, i);
       if(a == none || b == none)
         continue;
-      if(overlaps.are_in_one_limb(k))
+      if(overlaps.is_measured(k) && overlaps[k] >= 1)
         sets_.join(a, b);
       else
-        doubtful.push_back({a, b, k, overlaps[k]});
+        links.push_back({a, b, i, j, overlaps[k], overlaps.is_measured(k)});
     }
-    return doubtful;
+    return links;
   }
 
   /// The node of patch `i` towards patch `j`: its own or, on a separator, that of the side of `j`;
@@ -205,7 +198,7 @@ inline Skeleton_graph::Vertex middle(const std::vector<std::size_t>& members,
 }
 
 /// Part 3b: returns the quotient graph. Each separator and each piece is a vertex in the middle of
-/// the samples of its patches. O(n log n).
+/// the samples of its patches. O(n log² n) in practice.
 inline Surface_quotient surface_quotient(const Patches& patches, const Samples& samples,
                                          const Ball_overlaps& overlaps,
                                          const std::vector<Local_separator>& separators,

@@ -149,9 +149,13 @@ public:
       else
         overlaps_[k] = relative_overlap(balls[a], balls[b]);
     });
-    for(std::size_t k = 0; k < pairs_.size(); ++k)
+    const auto has_ball = [&](std::size_t i) { return is_off_surface(samples[i], patches[i]); };
+    is_measured_.resize(pairs_.size());
+    for(std::size_t k = 0; k < pairs_.size(); ++k) {
+      is_measured_[k] = has_ball(pairs_[k].a) && has_ball(pairs_[k].b);
       if(is_unknown(k))
         unknown_.push_back({k, overlaps_[k]});
+    }
     set_unknown(unknown);
   }
 
@@ -171,6 +175,10 @@ public:
 
   /// Overlap of the `k`-th pair.
   double operator[](std::size_t k) const { return overlaps_[k]; }
+
+  /// Whether both patches of the `k`-th pair have a ball of their own, none that was guessed from
+  /// that of another patch.
+  bool is_measured(std::size_t k) const { return is_measured_[k]; }
 
   /// Whether the patches of the `k`-th pair are in one limb.
   bool are_in_one_limb(std::size_t k) const { return overlaps_[k] >= least_overlap_; }
@@ -192,6 +200,7 @@ private:
   double least_overlap_;
   std::vector<Patch_pair> pairs_;
   std::vector<double> overlaps_;
+  std::vector<bool> is_measured_;
   std::vector<Unknown> unknown_;
 };
 
