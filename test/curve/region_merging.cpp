@@ -19,7 +19,7 @@ using namespace CGAL::Point_set_skeletonization_3::internal;
 
 namespace {
 
-constexpr double least_overlap = 0.4;
+constexpr double least_overlap = 0.5;
 
 /// The region of each patch, which was one of its own at first.
 std::vector<std::size_t> merged(std::size_t patches, const std::vector<Border_link>& links)
@@ -55,10 +55,10 @@ std::vector<Border_link> limbs_that_touch(std::size_t size, double contact)
 TEST_CASE("A border that overlaps all along merges two regions, one that does not keeps them apart")
 {
   constexpr std::size_t size = 10;
-  const std::vector<std::size_t> one = merged(2 * size, limbs_that_touch(size, 0.5));
+  const std::vector<std::size_t> one = merged(2 * size, limbs_that_touch(size, 0.6));
   for(std::size_t region : one)
     CHECK(region == 0);
-  const std::vector<std::size_t> two = merged(2 * size, limbs_that_touch(size, 0.3));
+  const std::vector<std::size_t> two = merged(2 * size, limbs_that_touch(size, 0.4));
   for(std::size_t i = 0; i < two.size(); ++i)
     CHECK(two[i] == i / size * size);
 }

@@ -7,6 +7,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <map>
@@ -66,15 +67,21 @@ public:
     links_ += other.links_;
   }
 
-  /// How much the regions overlap along it, in [0, 1]: the mean over its patches of the overlap
-  /// with whichever on the other side overlaps most. If none is measured, the best guess.
-  /// O(patches).
+  /// How much the regions may overlap along it, in [0, 1]: the mean over its patches of the overlap
+  /// with whichever on the other side overlaps most, and its standard error, since borders of thin
+  /// limbs have few patches. If none is measured, the best guess. O(patches).
   double overlap() const
   {
-    double sum = 0;
-    for(const Best& best : best_)
+    if(!is_measured())
+      return guess_;
+    const double number = static_cast<double>(best_.size());
+    double sum = 0, squares = 0;
+    for(const Best& best : best_) {
       sum += best.second;
-    return is_measured() ? sum / static_cast<double>(best_.size()) : guess_;
+      squares += best.second * best.second;
+    }
+    const double mean = sum / number, variance = (std::max)(0.0, squares / number - mean * mean);
+    return (std::min)(1.0, mean + std::sqrt(variance / number));
   }
 
   /// Whether a link is measured.

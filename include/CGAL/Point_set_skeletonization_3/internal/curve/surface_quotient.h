@@ -68,7 +68,7 @@ public:
 
     const std::size_t nodes = 2 * separators.size() + patches.size();
     std::vector<Border_link> links = join_certain(overlaps);
-    Region_merging(sets_, nodes, links, border_overlap).run();
+    Region_merging(sets_, nodes, links, overlaps.least_overlap()).run();
     Union_find whole = sets_; // the two sides of each separator joined
     for(std::size_t s = 0; s < separators.size(); ++s)
       whole.join(node(s, 0), node(s, 1));
@@ -89,10 +89,6 @@ public:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
 private:
-  /// Least overlap along the border of two pieces of a limb: .48 and more at joints of scanned
-  /// wires; .2 to .5, mostly less than .4, where legs and feet touch.
-  static constexpr double border_overlap = 0.4;
-
   // Nodes: the two sides of every separator, then every patch.
   std::size_t node(std::size_t separator, std::size_t side) const { return 2 * separator + side; }
   std::size_t node(std::size_t patch) const { return 2 * separators_.size() + patch; }

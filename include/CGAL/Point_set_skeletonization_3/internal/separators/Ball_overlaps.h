@@ -176,6 +176,9 @@ public:
   /// Overlap of the `k`-th pair.
   double operator[](std::size_t k) const { return overlaps_[k]; }
 
+  /// The least overlap within a limb.
+  double least_overlap() const { return least_overlap_; }
+
   /// Whether both patches of the `k`-th pair have a ball of their own, none that was guessed from
   /// that of another patch.
   bool is_measured(std::size_t k) const { return is_measured_[k]; }
