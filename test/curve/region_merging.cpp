@@ -76,6 +76,19 @@ TEST_CASE("A single strong link or guess does not merge two regions across a wea
   }
 }
 
+TEST_CASE("A weak border of few patches may be that of a thin limb, one of many is none")
+{
+  // Along the border the overlaps are 0.1 and 0.8 in turns: 0.45 in the mean.
+  for(const std::size_t size : {4, 40}) {
+    CAPTURE(size);
+    std::vector<Border_link> links = limbs_that_touch(size, 0.1);
+    for(Border_link& contact : links)
+      if(contact.patch_b == contact.patch_a + size && contact.patch_a % 2 == 0)
+        contact.overlap = 0.8;
+    CHECK(merged(2 * size, links).back() == (size == 4 ? 0 : size));
+  }
+}
+
 TEST_CASE("Where nothing is measured, the best guess decides")
 {
   CHECK(merged(2, {link(0, 1, 0.1, false), link(0, 1, 1, false)}).back() == 0);
