@@ -261,7 +261,7 @@ TEST_CASE("Any order of the points gives the same bits")
   check_same_bits(levels_of(points), before);
 }
 
-// Sums are split into parts above 16 points a cell, and the grid that is read first gets coarser
+// Threads meet in cells of hundreds of points, and the grid that is read first gets coarser
 // above four cells a wanted one.
 TEST_CASE("Any number of threads gives the same bits, of clouds of any size")
 {

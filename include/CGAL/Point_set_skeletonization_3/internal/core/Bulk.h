@@ -147,7 +147,7 @@ private:
       const double scaled = x * inverse;
       if(std::abs(scaled) < half_bits) {
         const double rounded = (scaled + to_integer) - to_integer;
-        return (rounded > scaled ? rounded - 1 : rounded) * width;
+        return (rounded - static_cast<double>(rounded > scaled)) * width; // without a branch
       }
       return std::abs(x) < multiples ? std::floor(scaled) * width : x;
     }

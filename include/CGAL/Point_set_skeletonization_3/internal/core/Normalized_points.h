@@ -14,6 +14,7 @@
 
 #include <boost/container/static_vector.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -83,23 +84,33 @@ struct Normalized_points
     }
   }
 
-  /// Calls `visit(k, i, point)` for each point in the normalised box, the `i`-th of the cloud in
-  /// the `k`-th of `parts` parts. Parts are visited concurrently, the points of a part in order.
-  /// O(n).
-  template <typename Visit>
-  void visit_parts(std::size_t parts, const Visit& visit, Concurrency concurrency,
-                   const Progress& progress) const
+  /// The points of the `b`-th block that are in the normalised box, and their numbers in the cloud.
+  struct Block
   {
-    constexpr std::size_t blocks_of_slice = 1 << 10; // a slice takes milliseconds
-    const std::size_t slices = 1 + number_of_blocks() / blocks_of_slice;
-    for(std::size_t slice = 0; slice < slices; ++slice) {
-      parallel_for(concurrency, parts, [&](std::size_t k) {
-        const std::size_t part = k * slices + slice;
-        const std::size_t end = (part + 1) * number_of_blocks() / (parts * slices);
-        for(std::size_t b = part * number_of_blocks() / (parts * slices); b < end; ++b)
-          visit_block(b, [&](std::size_t i, const Vector3& point) { visit(k, i, point); });
-      });
-      progress(static_cast<double>(slice + 1) / static_cast<double>(slices));
+    boost::container::static_vector<std::size_t, Point_source::block_size> numbers;
+    Point_block points;
+  };
+
+  /// Returns the `b`-th block. May be called concurrently. \pre `b < number_of_blocks()`
+  Block block(std::size_t b) const
+  {
+    Block result;
+    visit_block(b, [&](std::size_t i, const Vector3& p) {
+      result.numbers.push_back(i);
+      result.points.push_back(p);
+    });
+    return result;
+  }
+
+  /// Calls `visit(b)` for each block, concurrently. O(n).
+  template <typename Visit>
+  void visit_blocks(const Visit& visit, Concurrency concurrency, const Progress& progress) const
+  {
+    constexpr std::size_t slice = 1 << 10; // takes milliseconds
+    for(std::size_t first = 0; first < number_of_blocks(); first += slice) {
+      const std::size_t end = (std::min)(number_of_blocks(), first + slice);
+      parallel_for(concurrency, end - first, [&](std::size_t k) { visit(first + k); });
+      progress(static_cast<double>(end) / static_cast<double>(number_of_blocks()));
     }
   }
 };

@@ -4,6 +4,8 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MIXTURE_CELL_MAP_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MIXTURE_CELL_MAP_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/core/prefetch.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -57,17 +59,34 @@ public:
     return slot.cell == cell ? &slot.value : nullptr;
   }
 
-  /// Calls `visit(cell, value)` for each cell, in unspecified order.
+  /// Begins to load the value of a cell. O(1).
+  void prefetch(std::uint64_t cell) const
+  {
+    if(!slots_.empty())
+      internal::prefetch(slots_[first_slot_of(cell)]);
+  }
+
+  /// Calls `visit(cell, value)` for each cell, in unspecified order. It is not that of the hashes:
+  /// a table that is filled in the order of another one fills up from one end, and searches
+  /// become linear there until it grows.
   template <typename Visit>
   void for_each(const Visit& visit) const
   {
-    for(const Slot& slot : slots_)
-      if(slot.cell != empty)
+    const std::size_t step = golden_ratio >> shift_ | 1; // odd: visits all slots
+    constexpr std::size_t ahead = 16;
+    const auto nth = [&](std::size_t k) -> const Slot& {
+      return slots_[k * step & (slots_.size() - 1)];
+    };
+    for(std::size_t k = 0; k < slots_.size(); ++k) {
+      internal::prefetch(nth(k + ahead));
+      if(const Slot& slot = nth(k); slot.cell != empty)
         visit(slot.cell, slot.value);
+    }
   }
 
 private:
   static constexpr std::uint64_t empty = ~std::uint64_t(0); // a packed cell has fewer bits
+  static constexpr std::uint64_t golden_ratio = 0x9E3779B97F4A7C15u; // times 2^64
 
   struct Slot
   {
@@ -77,11 +96,13 @@ private:
 
   std::size_t capacity() const { return std::size_t(1) << (64 - shift_); }
 
+  /// The slot at which the search for a cell begins.
+  std::size_t first_slot_of(std::uint64_t cell) const { return cell * golden_ratio >> shift_; }
+
   /// The slot of a cell, or the free slot where it would be.
   std::size_t slot_of(std::uint64_t cell) const
   {
-    constexpr std::uint64_t golden_ratio = 0x9E3779B97F4A7C15u; // times 2^64
-    std::size_t slot = cell * golden_ratio >> shift_;
+    std::size_t slot = first_slot_of(cell);
     while(slots_[slot].cell != empty && slots_[slot].cell != cell)
       slot = (slot + 1) & (slots_.size() - 1);
     return slot;

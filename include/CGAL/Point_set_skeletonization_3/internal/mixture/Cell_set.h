@@ -7,6 +7,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Cell_map.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Cubic_grid.h>
 
+#include <algorithm>
 #include <array>
 #include <bitset>
 #include <cstddef>
@@ -29,12 +30,23 @@ public:
   std::size_t number_of_blocks() const { return blocks_.size(); }
 
   /// Adds a cell. O(1).
-  void insert(const Grid_cell& cell)
+  void insert(const Grid_cell& cell) { insert(Place(cell)); }
+
+  /// Adds the cells `cell(k)` for 0 <= k < `number`. Some blocks are loaded ahead of their turn,
+  /// since the cells of a cloud in random order are anywhere in memory. O(number).
+  template <typename Cell>
+  void insert(std::size_t number, const Cell& cell)
   {
-    const int place = (cell[0] & 3) << 4 | (cell[1] & 3) << 2 | (cell[2] & 3);
-    std::uint64_t& cells = blocks_[packed({{cell[0] >> 2, cell[1] >> 2, cell[2] >> 2}})];
-    size_ += ~cells >> place & 1;
-    cells |= std::uint64_t(1) << place;
+    std::array<Place, 32> places;
+    for(std::size_t first = 0; first < number; first += places.size()) {
+      const std::size_t size = (std::min)(places.size(), number - first);
+      for(std::size_t k = 0; k < size; ++k) {
+        places[k] = Place(cell(first + k));
+        blocks_.prefetch(places[k].block);
+      }
+      for(std::size_t k = 0; k < size; ++k)
+        insert(places[k]);
+    }
   }
 
   /// Adds the cells of another set. O(blocks of the smaller one).
@@ -77,6 +89,26 @@ public:
   }
 
 private:
+  /// Where a cell is: its block, and its bit there.
+  struct Place
+  {
+    Place() = default;
+    explicit Place(const Grid_cell& cell)
+      : block(packed({{cell[0] >> 2, cell[1] >> 2, cell[2] >> 2}})),
+        bit((cell[0] & 3) << 4 | (cell[1] & 3) << 2 | (cell[2] & 3))
+    {}
+
+    std::uint64_t block = 0;
+    int bit = 0;
+  };
+
+  void insert(const Place& place)
+  {
+    std::uint64_t& cells = blocks_[place.block];
+    size_ += ~cells >> place.bit & 1;
+    cells |= std::uint64_t(1) << place.bit;
+  }
+
   void insert(std::uint64_t block, std::uint64_t cells)
   {
     std::uint64_t& known = blocks_[block];

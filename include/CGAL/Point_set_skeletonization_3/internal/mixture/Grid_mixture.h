@@ -21,10 +21,13 @@
 #include <boost/interprocess/mapped_region.hpp>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -190,9 +193,6 @@ inline Grid_level coarser_level(const Cubic_grid& grid, const Moment_cells& cell
   return result;
 }
 
-/// Greatest number of parts of a cloud that threads add up: work for eight.
-constexpr std::size_t most_cloud_parts = 8;
-
 /// The cell index of each point, of two bytes if that is enough, in chunks whose memory can be
 /// returned to the system one after the other; the heap might keep it.
 class Cells_of_points
@@ -248,38 +248,59 @@ private:
   std::vector<boost::interprocess::mapped_region> chunks_;
 };
 
+/// Adds points to cells from several threads. Sums are exact: their order does not matter.
+class Concurrent_cells
+{
+public:
+  /// Refers to the cells.
+  Concurrent_cells(Moment_cells& cells, Concurrency concurrency)
+    : cells_(cells), is_taken_(concurrency == Concurrency::parallel ? cells.size() : 0)
+  {}
+
+  /// Adds a point to the cell with this index. O(1).
+  void add(std::size_t number, const Lattice_point& p)
+  {
+    if(is_taken_.empty()) {
+      cells_.add(number, p);
+      return;
+    }
+    while(is_taken_[number].exchange(true, std::memory_order_acquire))
+      std::this_thread::yield(); // rare: threads are at different places of the cloud
+    cells_.add(number, p);
+    is_taken_[number].store(false, std::memory_order_release);
+  }
+
+private:
+  Moment_cells& cells_;
+  std::vector<std::atomic<bool>> is_taken_; ///< Each cell, by a thread; empty for a single one.
+};
+
 /// Adds the points to the cells of `level`, and returns the cell of each point; for one far away
 /// the number of cells. O(points).
 inline Cells_of_points add_points(const Normalized_points& points, Grid_level& level,
                                   Concurrency concurrency, const Progress& progress)
 {
-  constexpr std::size_t worth_a_part = 16; // points of a cell: parts need less memory than points
-  const std::size_t more_parts =
-    concurrency == Concurrency::sequential
-      ? 0
-      : (std::min)(most_cloud_parts - 1, points.bulk_size() / (worth_a_part * level.cells.size()));
-  std::vector<std::vector<Exact_moments>> parts(more_parts); // beside the level itself
   Cells_of_points cell_of_point(points.size(), level.cells.size());
   if(points.number_of_far > 0)
     for(std::size_t i = 0; i < points.size(); ++i)
       cell_of_point.set(i, level.cells.size());
   const Cell_of_point cell_of(level.grid);
-  for(std::vector<Exact_moments>& part : parts)
-    part.resize(level.cells.size());
-  points.visit_parts(
-    parts.size() + 1,
-    [&](std::size_t k, std::size_t i, const Vector3& p) {
-      const Lattice_point place = lattice_point(p);
-      const std::size_t number = level.cells.number(cell_of(place));
-      if(k < parts.size())
-        parts[k][number].add(place);
-      else
-        level.cells.add(number, place);
-      cell_of_point.set(i, number);
+  Concurrent_cells cells(level.cells, concurrency);
+  points.visit_blocks(
+    [&](std::size_t b) {
+      const Normalized_points::Block block = points.block(b);
+      std::array<Lattice_point, Point_source::block_size> places;
+      std::array<std::size_t, Point_source::block_size> numbers;
+      for(std::size_t k = 0; k < block.points.size(); ++k) {
+        places[k] = lattice_point(block.points[k]);
+        numbers[k] = level.cells.number(cell_of(places[k]));
+        level.cells.prefetch(numbers[k]); // the moments are larger than the cache
+        cell_of_point.set(block.numbers[k], numbers[k]);
+      }
+      for(std::size_t k = 0; k < block.points.size(); ++k)
+        cells.add(numbers[k], places[k]);
     },
     concurrency, progress);
-  for(const std::vector<Exact_moments>& part : parts)
-    level.cells.add(part);
   return cell_of_point;
 }
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MIXTURE_MOMENT_GRID_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MIXTURE_MOMENT_GRID_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/core/prefetch.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Cell_map.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Cubic_grid.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Exact_moments.h>
@@ -53,15 +54,11 @@ public:
     moments_[inserted(cell)].add(addend);
   }
 
+  /// Begins to load the moments of the cell with this index. O(1).
+  void prefetch(std::size_t number) const { internal::prefetch(moments_[number]); }
+
   /// Adds a point to the cell with this index. O(1).
   void add(std::size_t number, const Lattice_point& p) { moments_[number].add(p); }
-
-  /// Adds moments of the same cells, in the same order. O(cells).
-  void add(const std::vector<Exact_moments>& others)
-  {
-    for(std::size_t i = 0; i < others.size(); ++i)
-      moments_[i].add(others[i]);
-  }
 
   /// Adds the moments of cells of a finer grid, each to the cell `around` it. O(cells).
   void add(const Moment_cells& other, const Cell_around& around)

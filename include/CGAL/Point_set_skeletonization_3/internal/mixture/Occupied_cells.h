@@ -13,6 +13,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Lattice_point.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -36,9 +37,11 @@ public:
   const Cubic_grid& grid() const { return grid_; }
   const Cell_set& cells() const { return cells_; }
 
-  void add(const Vector3& p)
+  /// Adds points. O(points) amortised.
+  void add(const Point_block& points)
   {
-    cells_.insert(cell_of_(lattice_point(p)));
+    cells_.insert(points.size(),
+                  [&](std::size_t k) { return cell_of_(lattice_point(points[k])); });
     limit();
   }
 
@@ -74,27 +77,38 @@ private:
   Cell_set cells_;
 };
 
-/// Estimates the level of the fine grid of a cloud from at most 64 blocks of points.
+/// Estimates the coarsest level with more than `maximum_cells` of a cloud, from some points of at
+/// most 512 blocks: the points of a block may be close to each other. O(1).
 inline int probable_level(const Normalized_points& points, std::size_t maximum_cells)
 {
   constexpr int coarse_level = 8; // far coarser than the result
-  constexpr std::size_t blocks = 64;
-  constexpr std::size_t points_of_cell = 8; // on average, so that hardly any cell is missed
+  constexpr std::size_t blocks = 512;
+  constexpr std::size_t points_of_block = 32;
+  constexpr double points_of_cell = 8; // on average, so that hardly any cell is missed
+  constexpr double certainly = 1.25; // a level too coarse costs a second pass, one too fine little
   Occupied_cells some(coarse_level, maximum_cells);
   const std::size_t step = 1 + points.number_of_blocks() / blocks;
-  std::size_t size = 0;
-  for(std::size_t b = 0; b < points.number_of_blocks(); b += step)
-    points.visit_block(b, [&](std::size_t, const Vector3& p) {
-      some.add(p);
-      ++size;
-    });
-  while(points_of_cell * some.cells().size() > size)
+  double size = 0;
+  for(std::size_t b = 0; b < points.number_of_blocks(); b += step) {
+    const Point_block all = points.block(b).points;
+    Point_block few;
+    for(std::size_t k = 0; k < all.size(); k += Point_source::block_size / points_of_block)
+      few.push_back(all[k]);
+    some.add(few);
+    size += static_cast<double>(few.size());
+  }
+  while(points_of_cell * static_cast<double>(some.cells().size()) > size)
     some.coarsen();
-  const int finest = finest_level(maximum_cells);
   int level = some.grid().level;
-  for(std::size_t cells = 4 * some.cells().size(); cells <= maximum_cells && level < finest;
-      cells *= 4) // as on a surface
+  const auto points_of_cloud = static_cast<double>(points.bulk_size());
+  const double many = certainly * static_cast<double>(maximum_cells);
+  // A surface has four times as many cells at the next level; random points miss some of them.
+  double cells = static_cast<double>(some.cells().size());
+  while(level < finest_level(maximum_cells) &&
+        cells * (1 - std::exp(-points_of_cloud / cells)) <= many) {
+    cells *= 4;
     ++level;
+  }
   return level;
 }
 
@@ -107,7 +121,7 @@ inline Occupied_cells occupied_cells(const Normalized_points& points, int level,
   Occupied_cells result = parallel_sum(
     concurrency, points.number_of_blocks(), Occupied_cells(level, maximum_cells),
     [&](std::size_t b, Occupied_cells& cells) {
-      points.visit_block(b, [&](std::size_t, const Vector3& p) { cells.add(p); });
+      cells.add(points.block(b).points);
     },
     progress);
   while(result.cells().size() > maximum_cells)
@@ -123,7 +137,7 @@ inline Occupied_cells occupied_cells(const Normalized_points& points, std::size_
   const int finest = finest_level(maximum_cells);
   int level = finest;
   if(points.bulk_size() > maximum_cells)
-    level = (std::min)(level, probable_level(points, maximum_cells) + 1);
+    level = probable_level(points, maximum_cells);
   for(;; ++level) {
     Occupied_cells result = occupied_cells(points, level, maximum_cells, concurrency, progress);
     if(level == finest || result.grid().level < level) // else a finer grid might do
@@ -169,8 +183,10 @@ inline Cell_set cells_around(const std::vector<std::uint64_t>& cells, const Cell
   return parallel_sum(concurrency, (cells.size() + block - 1) / block, Cell_set(),
                       [&](std::size_t b, Cell_set& found) {
                         const std::size_t end = (std::min)(cells.size(), (b + 1) * block);
-                        for(std::size_t i = b * block; i < end && found.size() <= most; ++i)
-                          found.insert(around(unpacked(cells[i])));
+                        if(found.size() <= most)
+                          found.insert(end - b * block, [&](std::size_t k) {
+                            return around(unpacked(cells[b * block + k]));
+                          });
                       });
 }
 
