@@ -185,6 +185,19 @@ TEST_CASE("A closed curve can be moved onto one that goes around as often, where
   CHECK_FALSE(curve.can_be_moved_onto(solid.curve(there_and_back(bent, bent))));
 }
 
+TEST_CASE("A closed curve is along one that goes around as often within half a resolution")
+{
+  const Solid_torus solid;
+  const double near = 0.25 * surfaces::torus.patches().front().spacing;
+  const Closed_curve curve = solid.curve(arc(ring_radius, 0, 2 * CGAL_PI));
+  CHECK(curve.is_along(solid.curve(arc(ring_radius + near, 1, 1 + 2 * CGAL_PI))));
+  CHECK(curve.is_along(solid.curve(arc(ring_radius - near, 2, 2 - 2 * CGAL_PI))));
+  CHECK_FALSE(curve.is_along(solid.curve(arc(ring_radius + 4 * near, 0, 2 * CGAL_PI))));
+  const std::vector<Vector3> around = arc(ring_radius, 0, 2 * CGAL_PI);
+  CHECK_FALSE(curve.is_along(solid.curve(there_and_back(around, around))));
+  CHECK_FALSE(solid.curve(there_and_back(around, around)).is_along(curve));
+}
+
 TEST_CASE("A path around an arc is short, that around a ring of a torus goes around the hole")
 {
   const Patches patches = surfaces::torus.patches();

@@ -75,6 +75,21 @@ public:
     return true;
   }
 
+  /// Whether the curve runs along `other` within half a resolution: between them is nothing that
+  /// the points tell, so both or neither are contractible, even through gaps of the data.
+  bool is_along(const Closed_curve& other) const
+  {
+    const double most = (std::min)(resolution_, other.resolution_) / 2;
+    const std::array<Vector3, size> beside = other.points_beside(*this);
+    for(std::size_t k = 0; k < size; ++k) { // counterparts are half a step off, at most
+      const Vector3 &last = beside[(k + size - 1) % size], &next = beside[(k + 1) % size];
+      if(squared_distance(points_[k], last, beside[k]) >= most * most &&
+         squared_distance(points_[k], beside[k], next) >= most * most)
+        return false;
+    }
+    return true;
+  }
+
   /// Whether curve shortening shrinks the curve to a point, in 60 steps at most.
   bool is_contractible() const { return Closed_curve(*this).contract(); }
 
@@ -129,6 +144,16 @@ private:
         }
       }
     return result;
+  }
+
+  /// Squared distance of a place from the segment between two points.
+  static double squared_distance(const Vector3& place, const Vector3& from, const Vector3& to)
+  {
+    const Vector3 along = to - from, offset = place - from;
+    const double squared_length = along.squaredNorm();
+    const double t =
+      squared_length > 0 ? std::clamp(along.dot(offset) / squared_length, 0.0, 1.0) : 0;
+    return (offset - t * along).squaredNorm();
   }
 
   double length() const

@@ -91,11 +91,12 @@ private:
     std::size_t curve = none;  ///< Known curve that it can be moved onto; `none` if it is short.
   };
 
-  /// A closed curve that represents all curves that can be moved onto it.
+  /// A closed curve that represents all curves along it or that can be moved onto it.
   struct Known_curve
   {
     Closed_curve curve;
-    bool is_solid; ///< Otherwise no curve can be moved onto it.
+    bool is_solid;        ///< Otherwise no curve can be moved onto it.
+    bool is_around_gap;   ///< See `is_around_gap()`; then contractible, whatever is along it.
     bool is_contractible; ///< Known, or set once it is tested.
   };
 
@@ -219,18 +220,20 @@ private:
     return Closed_curve(positions, surface_.patches[separator.patches.front()].spacing, surface_);
   }
 
-  /// Index of a known curve that this one can be moved onto; it is added if there is none. Around a
-  /// gap of a sheet, where there is no solid to move it in, it counts as contractible.
+  /// Index of a known curve that this one is along or can be moved onto; it is added if there is
+  /// none. Around a gap of a sheet, where there is no solid to move it in, it counts as
+  /// contractible.
   std::size_t curve_like(const Closed_curve& curve, bool is_around_gap)
   {
-    const auto found =
-      std::find_if(curves_.begin(), curves_.end(), [&](const Known_curve& known) {
-        return known.is_solid && curve.can_be_moved_onto(known.curve);
-      });
+    const auto is_like = [&](const Known_curve& known) {
+      return (known.is_around_gap == is_around_gap && curve.is_along(known.curve)) ||
+             (known.is_solid && curve.can_be_moved_onto(known.curve));
+    };
+    const auto found = std::find_if(curves_.begin(), curves_.end(), is_like);
     const auto result = static_cast<std::size_t>(found - curves_.begin());
     if(found == curves_.end()) {
       const bool is_solid = curve.is_solid();
-      curves_.push_back({curve, is_solid, is_around_gap && !is_solid});
+      curves_.push_back({curve, is_solid, is_around_gap, is_around_gap && !is_solid});
     }
     return result;
   }
