@@ -10,6 +10,7 @@
 #include "threads.h"
 
 #include <CGAL/Point_set_skeletonization_3/internal/curve/cross_section.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/round_section.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/centre_curve.h>
 
 #include <CGAL/number_utils.h>
@@ -206,6 +207,41 @@ TEST_CASE("Too few points are no cross-section")
   CHECK(cross_section({{0, 0}, {0, 0}, {0, 0}}).center.isZero());
 }
 
+TEST_CASE("Points on half of a circle tell where its centre is")
+{
+  for(const unsigned int seed : seeds) {
+    CAPTURE(seed);
+    shapes::Random random(seed);
+    const auto noisy_arc = [&random](double degrees, double noise, int size) {
+      std::vector<Eigen::Vector2d> points;
+      for(int i = 0; i < size; ++i) {
+        const double angle = random.uniform(0, degrees * CGAL_PI / 180);
+        points.push_back(Eigen::Vector2d(3, -1) + (2 + noise * random.normal()) *
+                                                    Eigen::Vector2d(std::cos(angle),
+                                                                    std::sin(angle)));
+      }
+      return points;
+    };
+    const Round_section half = round_section(noisy_arc(175, 0.02, 60));
+    CHECK(half.share == 1);
+    CHECK((half.circle.center - Eigen::Vector2d(3, -1)).norm() < 0.1);
+    CHECK(half.circle.radius == Approx(2).epsilon(0.05));
+    CHECK(round_section(noisy_arc(100, 0.02, 60)).share == 0); // as a folded leaf
+    CHECK(round_section(noisy_arc(175, 0.3, 60)).share == 0);  // scattered
+    CHECK(round_section(noisy_arc(360, 0.02, 60)).share == 0); // seen from all sides
+    CHECK(round_section(noisy_arc(175, 0.02, 11)).share == 0);
+    std::vector<Eigen::Vector2d> strip, line;
+    for(int i = 0; i < 60; ++i) {
+      line.emplace_back(i, 2 * i);
+      strip.emplace_back(i, 0.1 * random.normal());
+    }
+    CHECK(round_section(line).share == 0);
+    CHECK(round_section(strip).share == 0);
+  }
+  CHECK(round_section({}).share == 0);
+  CHECK(round_section(std::vector<Eigen::Vector2d>(20, {1, 1})).share == 0);
+}
+
 TEST_CASE("In a noisy tube the curve becomes straight and goes to the axis")
 {
   constexpr double length = 20;
@@ -358,6 +394,29 @@ TEST_CASE("An open limb of which hardly half was seen is centred on its points")
     CHECK(mean_distance(arc, [](const Vector3& p) { return (p - Vector3(0.85, 0, p.z())).norm(); }) <
           0.15);
   }
+}
+
+TEST_CASE("The curve along half of an open limb is on its axis, resolved or not")
+{
+  constexpr double length = 20, seen = 165 * CGAL_PI / 180;
+  for(const bool is_on_line : {false, true})
+    for(const unsigned int seed : seeds) {
+      CAPTURE(is_on_line, seed);
+      shapes::Random random(seed);
+      Limb limb = curve(straight, length, false, [](double) { return Vector3(0.6, 0, 0); });
+      for(auto& vertex : limb.graph.vertices) {
+        vertex.open = 1;
+        vertex.is_on_line = is_on_line;
+      }
+      Sampling sampling;
+      sampling.from = -seen / 2;
+      sampling.turn = seen;
+      for(int copies = 0; copies < 4; ++copies)
+        sample_tube(limb, straight, length, sampling, random);
+      limb.centre();
+      CHECK(mean_distance(limb, from_z_axis) < 0.1);
+      CHECK(limb.distances[limb.distances.size() / 2] == Approx(1).margin(0.1));
+    }
 }
 
 TEST_CASE("The curve along half of an open limb does not wave between its points and its middle")

@@ -11,6 +11,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/cross_section.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/round_section.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 
 #include <CGAL/number_utils.h>
@@ -38,8 +39,9 @@ namespace internal {
 /// area if less than a third of the boundary was seen: where limbs join, vertices stay. In an open
 /// limb there is none if less than half was seen (a leaf), or if it is scattered (a twig in leaf).
 /// Then the target is the L1-median of the points of the cross-section, so that the curve stays on
-/// them, and the radius is their median distance from it. In between, along half of a trunk, the
-/// target is between both: it would jump from one to the other, and the curve would wave.
+/// them, and the radius is their median distance from it. In between, the target is between both:
+/// it would jump from one to the other, and the curve would wave. If the points are on a circle,
+/// along half of a trunk, its centre is the target, in a limb that is not resolved, too.
 /// The positions x minimise the squared distances to the targets plus a bending energy,
 ///
 ///     sum w |x - c|^2 + sum (l / h)^4 |second difference of x|^2
@@ -82,9 +84,12 @@ public:
     constexpr int rounds = 3; // each leaves a tenth of the distance
     for(int round = 0; round < rounds; ++round) {
       std::vector<std::size_t> moved; // since their targets were computed
-      for(std::size_t v = 0; v < drawn_.size(); ++v)
-        if((graph_.vertices[v].position - drawn_[v].from).norm() >= stays * drawn_[v].radius)
+      for(std::size_t v = 0; v < drawn_.size(); ++v) {
+        const bool is_fixed = round > 0 && graph_.vertices[v].is_on_line && drawn_[v].spread == 0;
+        if(!is_fixed &&
+           (graph_.vertices[v].position - drawn_[v].from).norm() >= stays * drawn_[v].radius)
           moved.push_back(v);
+      }
       parallel_for(concurrency_, moved.size(),
                    [&](std::size_t k) { drawn_[moved[k]] = drawn(moved[k]); });
       keep_inside(moved);
@@ -106,7 +111,8 @@ private:
     double weight = 0;
     double radius = 0;        ///< Of the limb there, at least the distance of points.
     bool is_centroid = false; ///< Of an area, which contains it.
-    double spread = 0;        ///< Median distance of the points from an L1-median; 0 elsewhere.
+    double spread = 0; ///< Median distance of the points from an L1-median or the centre of a
+                       ///< circle; 0 elsewhere.
   };
 
   /// Radii; a vertex that has moved less keeps its target: a target moves by at most a tenth of the
@@ -137,6 +143,8 @@ private:
   /// The target of a vertex without a cross-section.
   Drawn not_drawn(std::size_t v, double radius) const
   {
+    if(graph_.vertices[v].is_on_line)
+      return {graph_.vertices[v].position, start_[v].position, 1, least_spacing, false, 0};
     return {graph_.vertices[v].position, start_[v].position, least_weight, radius, false, 0};
   }
 
@@ -144,8 +152,6 @@ private:
   Drawn drawn(std::size_t v) const
   {
     const Skeleton_graph::Vertex& vertex = graph_.vertices[v];
-    if(vertex.is_on_line)
-      return {vertex.position, start_[v].position, 1, least_spacing, false, 0};
     const double known = (std::max)(vertex.radius, vertex.resolution);
     const double radius = is_open(vertex) ? (std::max)(known, drawn_[v].radius) : known;
     const Piece piece = piece_around(v, radius);
@@ -164,19 +170,24 @@ private:
     const double share =
       section.area > 0 && weight > least_weight ? share_of_area(vertex, weight) : 0;
     const double area_radius = (std::max)(radius, std::sqrt(section.area / CGAL_PI));
-    if(share == 1)
+    if(share == 1 && !vertex.is_on_line)
       return {vertex.position, in_space(section.center), weight, area_radius, true, 0};
     if(points.empty() || !is_open(vertex))
       return not_drawn(v, radius);
+    const Round_section round = round_section(points);
+    if(vertex.is_on_line && round.share == 0)
+      return not_drawn(v, radius);
     const Eigen::Vector2d median =
       l1_median(points, (std::max)(0.1 * vertex.resolution, least_spacing));
+    const Eigen::Vector2d middle =
+      median + round.share * (round.circle.center - median);
     std::vector<double> distances;
     for(const Eigen::Vector2d& p : points)
-      distances.push_back((p - median).norm());
+      distances.push_back((p - middle).norm());
     const double spread = quantile(std::move(distances), 0.5);
     const double point_radius = (std::max)(vertex.resolution, spread);
-    if(share == 0)
-      return {vertex.position, in_space(median), 1, point_radius, false, spread};
+    if(share == 0 || round.share > 0)
+      return {vertex.position, in_space(middle), 1, point_radius, false, spread};
     const auto mean = [share](const auto& of_points, const auto& of_area) {
       return (1 - share) * of_points + share * of_area;
     };

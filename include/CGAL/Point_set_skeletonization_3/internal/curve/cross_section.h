@@ -23,7 +23,7 @@ struct Cross_section
 {
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< Centroid of the area.
   double area = 0;                                  ///< 0: unknown.
-  double unknown = 2 * CGAL_PI; ///< Radians; sum of gaps, each minus 60 degrees.
+  double unknown = 2 * CGAL_PI; ///< Radians; sum of gaps, each less `between_points`.
 };
 
 /// Returns a number that orders directions like their angle in [-pi, pi], without std::atan2(): the
@@ -36,6 +36,9 @@ inline double pseudo_angle(const Eigen::Vector2d& p)
   return p.x() >= 0 ? way : std::copysign(2.0, p.y()) - way;
 }
 
+/// Radians between two points of a boundary that are no gap yet.
+constexpr double between_points = CGAL_PI / 3;
+
 /// Returns the region that is star-shaped around the origin with the given points on its boundary;
 /// area 0 with fewer than three. The density of points along the boundary hardly matters, and
 /// scatter to both sides cancels out. In a gap the distance is interpolated linearly in the angle:
@@ -44,7 +47,6 @@ inline Cross_section cross_section(const std::vector<Eigen::Vector2d>& boundary)
 {
   constexpr std::size_t fewest = 3;
   constexpr double step = CGAL_PI / 8; // the area of a circle in such steps is exact to 3 %
-  constexpr double between_points = CGAL_PI / 3; // 60 degrees are no gap yet
   Cross_section result;
   if(boundary.size() < fewest)
     return result;
