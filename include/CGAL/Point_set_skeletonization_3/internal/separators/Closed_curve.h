@@ -80,6 +80,9 @@ public:
   bool is_along(const Closed_curve& other) const
   {
     const double most = (std::min)(resolution_, other.resolution_) / 2;
+    for(const Vector3& p : points_) // most curves are told apart by their first point
+      if(!other.is_near(p, most))
+        return false;
     const std::array<Vector3, size> beside = other.points_beside(*this);
     for(std::size_t k = 0; k < size; ++k) { // counterparts are half a step off, at most
       const Vector3 &last = beside[(k + size - 1) % size], &next = beside[(k + 1) % size];
@@ -154,6 +157,15 @@ private:
     const double t =
       squared_length > 0 ? std::clamp(along.dot(offset) / squared_length, 0.0, 1.0) : 0;
     return (offset - t * along).squaredNorm();
+  }
+
+  /// Whether a place is nearer to the curve than `most`. \pre the curve was not shortened
+  bool is_near(const Vector3& place, double most) const
+  {
+    for(std::size_t k = 0; k < size; ++k)
+      if(squared_distance(place, points_[k], points_[(k + 1) % size]) < most * most)
+        return true;
+    return false;
   }
 
   double length() const
