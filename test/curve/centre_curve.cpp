@@ -366,6 +366,20 @@ TEST_CASE("A tube of which one side is missing draws nothing to the other")
     }
 }
 
+namespace {
+
+// Adds dense points of one side of a straight tube, `seen` radians wide.
+void sample_side(Limb& limb, double length, double seen, shapes::Random& random)
+{
+  Sampling sampling;
+  sampling.from = -seen / 2;
+  sampling.turn = seen;
+  for(int copies = 0; copies < 4; ++copies)
+    sample_tube(limb, straight, length, sampling, random);
+}
+
+} // namespace
+
 TEST_CASE("An open limb of which hardly half was seen is centred on its points")
 {
   constexpr double length = 20;
@@ -384,11 +398,7 @@ TEST_CASE("An open limb of which hardly half was seen is centred on its points")
     CHECK(mean_distance(strip, from_z_axis) < 0.1);
     CHECK(strip.distances[strip.distances.size() / 2] == Approx(0.5).margin(0.15));
 
-    Sampling sampling;
-    sampling.from = -CGAL_PI / 3;
-    sampling.turn = 2 * CGAL_PI / 3;
-    for(int copies = 0; copies < 4; ++copies)
-      sample_tube(arc, straight, length, sampling, random);
+    sample_side(arc, length, 2 * CGAL_PI / 3, random);
     arc.centre();
     // Not on the axis of the tube, where nothing was seen.
     CHECK(mean_distance(arc, [](const Vector3& p) { return (p - Vector3(0.85, 0, p.z())).norm(); }) <
@@ -408,11 +418,7 @@ TEST_CASE("The curve along half of an open limb is on its axis, resolved or not"
         vertex.open = 1;
         vertex.is_on_line = is_on_line;
       }
-      Sampling sampling;
-      sampling.from = -seen / 2;
-      sampling.turn = seen;
-      for(int copies = 0; copies < 4; ++copies)
-        sample_tube(limb, straight, length, sampling, random);
+      sample_side(limb, length, seen, random);
       limb.centre();
       CHECK(mean_distance(limb, from_z_axis) < 0.1);
       CHECK(limb.distances[limb.distances.size() / 2] == Approx(1).margin(0.1));
@@ -431,11 +437,7 @@ TEST_CASE("The curve along half of an open limb does not wave between its points
       vertex.open = 1;
       vertex.evidence = 0.6;
     }
-    Sampling sampling;
-    sampling.from = -seen / 2;
-    sampling.turn = seen;
-    for(int copies = 0; copies < 4; ++copies)
-      sample_tube(limb, straight, length, sampling, random);
+    sample_side(limb, length, seen, random);
     limb.centre();
     CHECK(crookedness(limb) < 1.002);
   }
