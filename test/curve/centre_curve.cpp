@@ -511,7 +511,7 @@ TEST_CASE("Where nothing is known a curve stays")
   CHECK(none.graph.vertices.empty());
 }
 
-TEST_CASE("Points of lines stay, whatever is around them")
+TEST_CASE("Points of lines stay, though there is a tube around them")
 {
   constexpr double length = 10;
   shapes::Random random(1);

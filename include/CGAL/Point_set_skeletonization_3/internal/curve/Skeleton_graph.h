@@ -29,7 +29,8 @@ struct Skeleton_graph
     double resolution = 0; ///< Typical distance of the surface points around.
     bool is_cross_section = false; ///< Represents a separator, not a piece in between.
     bool is_on_line = false; ///< A cross-section that stays where it is: a point of a twig, or a
-                             ///< place in the middle of points of a limb that is not resolved.
+                             ///< place in the middle of points of a limb that is not resolved,
+                             ///< unless they are on one side of a circle.
     double evidence = 0; ///< For a limb there, in [0, 1], see `Limb_evidence`.
     double open = 0; ///< Share of the patches around it whose other side was not seen, in [0, 1].
     double half_width = 0; ///< Mean distance of the patches around it.
