@@ -443,6 +443,28 @@ TEST_CASE("The curve along half of an open limb does not wave between its points
   }
 }
 
+TEST_CASE("Points beyond the centre of a bend do not turn the curve inside out")
+{
+  // All planes across the bend meet in its centre: beyond it they cut what was seen of a wide body
+  // in reverse order.
+  constexpr double radius = 2, beyond = 5;
+  const Axis axis = bent(radius);
+  for(const unsigned int seed : seeds) {
+    CAPTURE(seed);
+    shapes::Random random(seed);
+    Limb limb = curve(axis, radius * CGAL_PI / 2, false, nowhere);
+    for(auto& vertex : limb.graph.vertices)
+      vertex.open = 1;
+    for(int i = 0; i < 2000; ++i) {
+      const Frame across = axis(random.uniform(0, radius * CGAL_PI / 2));
+      add(limb, -beyond * across.e1 + random.uniform(-1, 1) * across.e2);
+    }
+    limb.centre();
+    for(const auto& vertex : limb.graph.vertices)
+      CHECK((vertex.position - radius * vertex.position.normalized()).norm() < 0.2 * radius);
+  }
+}
+
 TEST_CASE("A wavering curve comes to rest in the middle of a wide wall around a hole")
 {
   // The wall of a pipe: 13 times as wide as thick, so that where the curve is not at a right angle

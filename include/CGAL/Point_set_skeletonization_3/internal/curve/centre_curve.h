@@ -41,7 +41,8 @@ namespace internal {
 /// Then the target is the L1-median of the points of the cross-section, so that the curve stays on
 /// them, and the radius is their median distance from it. In between, the target is between both:
 /// it would jump from one to the other, and the curve would wave. If the points are on a circle,
-/// along half of a trunk, its centre is the target, in a limb that is not resolved, too.
+/// along half of a trunk, its centre is the target, in a limb that is not resolved, too. Medians that
+/// would fold the curve are ignored.
 /// The positions x minimise the squared distances to the targets plus a bending energy,
 ///
 ///     sum w |x - c|^2 + sum (l / h)^4 |second difference of x|^2
@@ -93,6 +94,7 @@ public:
       parallel_for(concurrency_, moved.size(),
                    [&](std::size_t k) { drawn_[moved[k]] = drawn(moved[k]); });
       keep_inside(moved);
+      keep_in_order();
       move();
     }
     std::vector<double> distances;
@@ -111,6 +113,7 @@ private:
     double weight = 0;
     double radius = 0;        ///< Of the limb there, at least the distance of points.
     bool is_centroid = false; ///< Of an area, which contains it.
+    bool is_median = false;   ///< Of points, or in part: they may be those of another limb.
     double spread = 0; ///< Median distance of the points from an L1-median or the centre of a
                        ///< circle; 0 elsewhere.
   };
@@ -144,8 +147,8 @@ private:
   Drawn not_drawn(std::size_t v, double radius) const
   {
     if(graph_.vertices[v].is_on_line)
-      return {graph_.vertices[v].position, start_[v].position, 1, least_spacing, false, 0};
-    return {graph_.vertices[v].position, start_[v].position, least_weight, radius, false, 0};
+      return {graph_.vertices[v].position, start_[v].position, 1, least_spacing};
+    return {graph_.vertices[v].position, start_[v].position, least_weight, radius};
   }
 
   /// The target of a vertex.
@@ -171,7 +174,7 @@ private:
       section.area > 0 && weight > least_weight ? share_of_area(vertex, weight) : 0;
     const double area_radius = (std::max)(radius, std::sqrt(section.area / CGAL_PI));
     if(share == 1 && !vertex.is_on_line)
-      return {vertex.position, in_space(section.center), weight, area_radius, true, 0};
+      return {vertex.position, in_space(section.center), weight, area_radius, true};
     if(points.empty() || !is_open(vertex))
       return not_drawn(v, radius);
     const Round_section round = round_section(points);
@@ -187,12 +190,13 @@ private:
     const double spread = quantile(std::move(distances), 0.5);
     const double point_radius = (std::max)(vertex.resolution, spread);
     if(share == 0 || round.share > 0)
-      return {vertex.position, in_space(middle), 1, point_radius, false, spread};
+      return {vertex.position, in_space(middle), 1,     point_radius,
+              false,           round.share == 0, spread};
     const auto mean = [share](const auto& of_points, const auto& of_area) {
       return (1 - share) * of_points + share * of_area;
     };
     return {vertex.position, in_space(mean(median, section.center)), mean(1., weight),
-            mean(point_radius, area_radius), false, 0};
+            mean(point_radius, area_radius), false, true};
   }
 
   /// How much the area of a cross-section counts beside its points, in [0, 1]. In an open limb not
@@ -221,6 +225,30 @@ private:
     for(std::size_t k = 0; k < vertices.size(); ++k)
       if(!is_inside[k])
         drawn_[vertices[k]] = not_drawn(vertices[k], first_radius(vertices[k]));
+  }
+
+  /// Ignores medians of points that would fold or stretch a piece of a curve, a radius long:
+  /// cross-sections follow each other along a limb. Planes across a curve that is short for the
+  /// width of what was seen of a body meet on it, or cut it in places far from each other. The
+  /// displacements of two vertices differ by no more than what turns the piece as far as limbs bend.
+  void keep_in_order()
+  {
+    const double most = std::sqrt(1 - square(options_.aligned)); // share of the length
+    std::vector<bool> is_torn(drawn_.size(), false);
+    for(std::size_t v = 0; v < drawn_.size(); ++v) {
+      if(!drawn_[v].is_median)
+        continue;
+      for(std::size_t to : adjacency_[v]) {
+        const std::size_t w = along(v, to, drawn_[v].radius);
+        const Vector3 now = graph_.vertices[w].position - graph_.vertices[v].position,
+                      then = drawn_[w].target - drawn_[v].target;
+        if((then - now).norm() > most * now.norm())
+          is_torn[v] = is_torn[w] = true;
+      }
+    }
+    for(std::size_t v = 0; v < is_torn.size(); ++v)
+      if(is_torn[v] && drawn_[v].is_median)
+        drawn_[v] = not_drawn(v, drawn_[v].radius);
   }
 
   /// A piece of a branch, approximated by a parabola.
