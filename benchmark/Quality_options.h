@@ -17,6 +17,7 @@ struct Quality_options
   unsigned int first_seed = 1;       ///< of the first of them
 
   std::vector<std::string> files;
+  std::vector<std::string> meshes; ///< to be scanned
   std::vector<double> noise = {0, 0.005, 0.01}; ///< standard deviations, in diagonals
   unsigned int turns = 0;                       ///< orientations of every model beside its own
   bool mean_curvature_flow = false;

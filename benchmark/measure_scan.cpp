@@ -10,7 +10,24 @@
 
 #include <CGAL/bounding_box.h>
 
+#include <algorithm>
 #include <cmath>
+
+namespace {
+
+/// Of the vertex nearest to a place. \pre there is a vertex
+double radius_at(const metrics::Point& p, const Skeleton& skeleton)
+{
+  const auto all = vertices(skeleton);
+  const auto distance = [&](auto v) {
+    return CGAL::squared_distance(metrics::to_point(skeleton[v].point), p);
+  };
+  return skeleton[*std::min_element(all.first, all.second,
+                                    [&](auto v, auto w) { return distance(v) < distance(w); })]
+    .radius;
+}
+
+} // namespace
 
 void measure_scan(Row& row, const Skeleton& skeleton, const Skeleton& reference,
                   const std::vector<Point>& points)
@@ -21,11 +38,10 @@ void measure_scan(Row& row, const Skeleton& skeleton, const Skeleton& reference,
   const auto box = CGAL::bounding_box(points.begin(), points.end());
   const double near = tolerance * std::sqrt(CGAL::squared_distance(box.min(), box.max()));
   const metrics::Point_tree tree(points);
-  const auto is_seen = [&](const metrics::Point& p) { return tree.distance(p) <= near; };
+  const auto is_seen = [&](const metrics::Point& p) {
+    return tree.distance(p) <= near + radius_at(p, reference);
+  };
   const auto always = [](const metrics::Point&) { return true; };
-  const Graph_counts truth = count_graph(reference);
-  row.truth.components = truth.components;
-  row.truth.cycles = truth.cycles;
   row.seen_ends = 0;
   for(const auto v : boost::make_iterator_range(vertices(reference)))
     if(out_degree(v, reference) == 1 && is_seen(metrics::to_point(reference[v].point)))

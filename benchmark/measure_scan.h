@@ -10,7 +10,7 @@
 #include <vector>
 
 /// Fills in how much of the true skeleton of a scan was found, and how much of what was found is
-/// true.
+/// true. Of a reference with radii, a place is seen if there are points at its radius.
 void measure_scan(Row& row, const Skeleton& skeleton, const Skeleton& reference,
                   const std::vector<Point>& points);
 

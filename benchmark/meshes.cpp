@@ -31,19 +31,6 @@ const std::vector<std::string>& sample_models()
   return models;
 }
 
-/// Files as they are; of a folder, the sample models.
-std::vector<std::string> chosen_files(const Quality_options& options)
-{
-  std::vector<std::string> files;
-  for(const std::string& file : options.files)
-    if(std::filesystem::is_directory(file))
-      for(const std::string& model : sample_models())
-        files.push_back((std::filesystem::path(file) / (model + ".off")).string());
-    else
-      files.push_back(file);
-  return files;
-}
-
 /// \throw std::runtime_error
 Model read_mesh(const std::string& file, std::size_t number_of_points)
 {
@@ -142,9 +129,21 @@ Layout layout()
 
 } // namespace
 
+std::vector<std::string> chosen_files(const std::vector<std::string>& files)
+{
+  std::vector<std::string> result;
+  for(const std::string& file : files)
+    if(std::filesystem::is_directory(file))
+      for(const std::string& model : sample_models())
+        result.push_back((std::filesystem::path(file) / (model + ".off")).string());
+    else
+      result.push_back(file);
+  return result;
+}
+
 void run(const Quality_options& options)
 {
-  const std::vector<std::string> files = chosen_files(options);
+  const std::vector<std::string> files = chosen_files(options.files);
   const auto work = [&](std::size_t job) { return rows_of(files[job], options); };
   report(options, files.size(), work, layout());
 }

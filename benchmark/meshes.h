@@ -6,11 +6,17 @@
 
 #include "Quality_options.h"
 
+#include <string>
+#include <vector>
+
 /// `quality meshes`: points sampled on closed meshes, beside a method that gets the meshes.
 namespace meshes {
 
 /// Prints the table and its summary. \throw std::runtime_error
 void run(const Quality_options& options);
+
+/// Files as they are; of a folder, the sample models.
+std::vector<std::string> chosen_files(const std::vector<std::string>& files);
 
 } // namespace meshes
 

@@ -111,6 +111,10 @@ CLI::App* add_scans(CLI::App& app, Quality_options& options)
 {
   CLI::App* command = app.add_subcommand("scans", "scans whose skeleton is known");
   command->add_option("FILES", options.files, "CLOUD:REFERENCE.obj, instead of simulated scans");
+  command
+      ->add_option("--meshes", options.meshes,
+                   "closed meshes instead; of a folder, CGAL's sample models")
+      ->type_name("FILE");
   command->add_option("--families", options.families, "some only, a,b")->delimiter(',');
   command->add_option("--variants", options.variants, "some only, a,b")->delimiter(',');
   command->add_option("--points", options.sizes, "about, of a cloud [5000,20000,80000]")

@@ -7,6 +7,7 @@
 #include "chosen.h"
 #include "measure.h"
 #include "measure_scan.h"
+#include "meshes.h"
 #include "read_points.h"
 #include "reference.h"
 #include "to_points.h"
@@ -32,7 +33,7 @@ const std::vector<Variant> all_variants = {
     {"few_beams", 0, 0, 0, 5},
     {"sampled", 0, 0, 0, 1, true}};
 
-/// Rows of a cloud, by every method. \param row what is known about the cloud
+/// Rows of a cloud, by every method. \param row what is known about the cloud, and the truth
 std::vector<Row> rows_of(Row row, const Skeleton& reference, const std::vector<Point>& points,
                          const Quality_options& options)
 {
@@ -50,14 +51,20 @@ std::vector<Row> rows_of(Row row, const Skeleton& reference, const std::vector<P
 
 std::vector<Row> rows_of(const Job& job, const Quality_options& options)
 {
-  const shapes::Known_shape shape = shapes::scanned_shape(job.family, job.seed);
-  Row row;
-  row.shape = job.family;
-  row.seed = std::to_string(job.seed);
-  row.variant = job.variant.name;
-  row.size = std::to_string(job.size);
-  row.places = std::to_string(job.places);
-  return rows_of(row, reference_of(shape), to_points(points_of(job)), options);
+  try {
+    const Scene scene = scene_of(job);
+    Row row;
+    row.shape = scene.shape.family;
+    row.seed = std::to_string(job.seed);
+    row.variant = job.variant.name;
+    row.size = std::to_string(job.size);
+    row.places = std::to_string(job.places);
+    row.truth.components = scene.shape.components;
+    row.truth.cycles = scene.shape.cycles;
+    return rows_of(row, scene.reference, to_points(points_of(job, scene.shape)), options);
+  } catch(const std::exception& error) {
+    return {failed_row(job.shape, error)};
+  }
 }
 
 /// \param argument `CLOUD:REFERENCE.obj`
@@ -71,6 +78,9 @@ std::vector<Row> rows_of(const std::string& argument, const Quality_options& opt
     Row row;
     row.shape = name_of(cloud);
     const Skeleton reference = read_reference(argument.substr(colon + 1));
+    const Graph_counts truth = count_graph(reference);
+    row.truth.components = truth.components;
+    row.truth.cycles = truth.cycles;
     return rows_of(row, reference, read_points<Point>(cloud), options);
   } catch(const std::exception& error) {
     return {failed_row(cloud, error)};
@@ -112,19 +122,30 @@ std::vector<Job> chosen_jobs(const Quality_options& options)
 {
   const auto& all = shapes::scanned_family_names();
   const auto name_of = [](const Variant& variant) { return variant.name; };
+  const bool are_meshes = !options.meshes.empty();
+  const std::vector<std::string> shapes = are_meshes
+                                            ? meshes::chosen_files(options.meshes)
+                                            : chosen(options.families, all, "family");
   std::vector<Job> jobs;
-  for(const std::string& family : chosen(options.families, all, "family"))
+  for(const std::string& shape : shapes)
     for(unsigned int i = 0; i < options.seeds; ++i)
       for(const std::size_t size : options.sizes)
         for(const int places : options.places)
           for(const Variant& variant : chosen(options.variants, all_variants, name_of, "variant"))
-            jobs.push_back({family, options.first_seed + i, size, places, variant});
+            jobs.push_back({shape, are_meshes, options.first_seed + i, size, places, variant});
   return jobs;
 }
 
-std::vector<shapes::Vector> points_of(const Job& job)
+Scene scene_of(const Job& job)
 {
-  const shapes::Known_shape shape = shapes::scanned_shape(job.family, job.seed);
+  if(job.is_mesh)
+    return scanned_mesh(job.shape, job.seed);
+  const shapes::Known_shape shape = shapes::scanned_shape(job.shape, job.seed);
+  return {shape, reference_of(shape)};
+}
+
+std::vector<shapes::Vector> points_of(const Job& job, const shapes::Known_shape& shape)
+{
   if(job.variant.is_sampled) // where others are seen from other places, draws other points
     return shapes::sample_all(shape, job.size, 10 * job.seed + static_cast<unsigned>(job.places));
   const shapes::Scan_options how = {job.size, job.places, job.variant.range_noise,

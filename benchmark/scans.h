@@ -5,8 +5,9 @@
 #define POINT_SET_SKELETONIZATION_3_BENCHMARK_SCANS_H
 
 #include "Quality_options.h"
+#include "scanned_mesh.h"
 
-#include "generator/Solid.h"
+#include "generator/Known_shape.h"
 
 #include <cstddef>
 #include <string>
@@ -33,7 +34,8 @@ struct Variant
 /// A cloud to come.
 struct Job
 {
-  std::string family;
+  std::string shape; ///< a family, or the file of a mesh
+  bool is_mesh;
   unsigned int seed;
   std::size_t size;
   int places; ///< of the scanner
@@ -43,8 +45,11 @@ struct Job
 /// All that are to be scanned.
 std::vector<Job> chosen_jobs(const Quality_options& options);
 
+/// What is scanned for a job. \throw std::runtime_error
+Scene scene_of(const Job& job);
+
 /// The cloud of a job.
-std::vector<shapes::Vector> points_of(const Job& job);
+std::vector<shapes::Vector> points_of(const Job& job, const shapes::Known_shape& shape);
 
 } // namespace scans
 

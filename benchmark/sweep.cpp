@@ -55,8 +55,8 @@ std::vector<Cloud> clouds(const Quality_options& options)
   Quality_options sparse = options;
   sparse.sizes = {5000}; // where options change most
   for(const scans::Job& job : scans::chosen_jobs(sparse)) {
-    const shapes::Known_shape shape = shapes::scanned_shape(job.family, job.seed);
-    result.push_back({scans::points_of(job), {shape.components, shape.cycles, 0}, true});
+    const shapes::Known_shape shape = scans::scene_of(job).shape;
+    result.push_back({scans::points_of(job, shape), {shape.components, shape.cycles, 0}, true});
   }
   return result;
 }

@@ -136,6 +136,21 @@ for row in 2 4; do
   at_least found $row 0.9
 done
 
+# A mesh has its own counts; an open one has none that could be told.
+accepts scans --meshes closed.off open.off --points 3000 --places 1,6 --variants clean,sampled \
+  --csv table.csv
+check "two rows for every cloud, one for a mesh that is open" test "$(wc -l < table.csv)" = 13
+has cloud 1 closed
+for row in 1 2 3 4 5 6 7 8; do
+  has cycles_true $row 1
+done
+for row in 5 7; do # from all sides
+  has exact $row yes
+  at_least found $row 0.9
+  at_least true $row 0.9
+done
+check "that a mesh is open" test "$(field status 9)" = "it is no closed mesh"
+
 awk 'BEGIN { for(i = 0; i < 600; ++i)
   printf "%g %g %g\n", cos(i * 2.4) / 100 , sin(i * 2.4) / 100, i / 600 }' > rod.xyz
 printf 'v 0 0 0\nv 0 0 0.5\nv 0 0 1\nv 1 0 1\nl 1 2 3 4\n' > bent.obj # as long beside the rod

@@ -42,7 +42,7 @@ public:
     return distance;
   }
 
-  /// On the surface, uniform by area.
+  /// On the surface, uniform by area. \pre there is a primitive
   Vector random_point(Random& random) const
   {
     for(;;)
@@ -53,6 +53,8 @@ public:
   /// Of the surface; estimated by the share of the primitives that is not inside others.
   double area(Random& random) const
   {
+    if(primitives_.empty())
+      return 0;
     constexpr int tries = 20000; // within one per cent, even if half of them are covered
     int uncovered = 0;
     for(int i = 0; i < tries; ++i)

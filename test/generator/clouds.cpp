@@ -109,7 +109,9 @@ std::vector<Vector> sample_all(const Known_shape& shape, std::size_t number_of_p
   std::vector<Vector> points(number_of_points);
   for(Vector& p : points) {
     const double part = random.uniform() * (area_of_solid + area);
-    const auto chosen = std::upper_bound(areas_up_to.begin(), areas_up_to.end(), part);
+    // Without a solid, what rounding puts behind the last sheet belongs to it.
+    const auto end = areas_up_to.end() - (area_of_solid == 0 ? 1 : 0);
+    const auto chosen = std::upper_bound(areas_up_to.begin(), end, part);
     p = chosen == areas_up_to.end()
           ? shape.solid.random_point(random)
           : shape.sheets[static_cast<std::size_t>(chosen - areas_up_to.begin())].random_point(
