@@ -163,7 +163,7 @@ TEST_CASE("A loop is named in its order, from whichever vertex")
   }
 }
 
-TEST_CASE("An edge beside a long loop is asked for the short one that it closes")
+TEST_CASE("An edge beside a long loop is asked for the short one that it closes, then for the other")
 {
   Skeleton_graph graph = polygon(40, 1);
   graph.vertices.resize(41);
@@ -175,7 +175,7 @@ TEST_CASE("An edge beside a long loop is asked for the short one that it closes"
     sizes.push_back(loop.size());
     return true;
   });
-  CHECK(sizes == std::vector<std::size_t>{40, 4});
+  CHECK(sizes == std::vector<std::size_t>{40, 4, 40});
 }
 
 TEST_CASE("A loop is opened where its evidence is least")
@@ -228,6 +228,55 @@ TEST_CASE("A loop has room for a hole if it is wider than its limbs and than gap
   CHECK(has_room(0.3, eight));
   const auto to_and_fro = [](double t) { return Vector3(std::cos(t), 0.01 * std::sin(t), 0); };
   CHECK_FALSE(has_room(0.3, to_and_fro));
+  const auto around_and_back = [](double t) -> Vector3 {
+    const double angle = 2 * std::cos(t);
+    return (1 + 0.01 * std::sin(t)) * Vector3(std::cos(angle), std::sin(angle), 0);
+  };
+  CHECK_FALSE(has_room(0.3, around_and_back)); // however the limb bends
+}
+
+TEST_CASE("Between two loops are the edges of one of them, if they make a loop")
+{
+  const auto between = [](const Loop& a, const Loop& b) {
+    Known_loops known;
+    known.add(b);
+    return known.beside(a);
+  };
+  const Loop square = {0, 1, 2, 3};
+  CHECK(between(square, square).empty());
+  CHECK(between(square, {4, 5, 6}).empty()); // nothing in common
+  CHECK(between(square, {0, 4, 5}).empty()); // only a vertex
+  CHECK(between({0, 1, 2, 3, 4, 5}, {0, 1, 6, 3, 4, 7}).empty()); // two squares
+  const std::vector<Loop> found = between(square, {5, 4, 0, 1});
+  REQUIRE(found.size() == 1);
+  const std::vector<Skeleton_graph::Edge> expected = {{0, 3}, {0, 4}, {1, 2},
+                                                      {1, 5}, {2, 3}, {4, 5}};
+  CHECK(sorted_edges(found[0]) == expected);
+}
+
+TEST_CASE("Two ways through one limb around a hole are one loop, two limbs are two")
+{
+  constexpr std::size_t size = 40;
+  for(const double inner : {0.95, 0.3}) { // of the second way, along half of the first
+    CAPTURE(inner);
+    Skeleton_graph graph = polygon(size, 1);
+    const std::size_t from = size / 4, to = 3 * size / 4;
+    std::size_t last = from;
+    for(std::size_t v = from + 1; v < to; ++v) {
+      graph.vertices.push_back({inner * graph.vertices[v].position});
+      graph.vertices.back().evidence = 0.9;
+      graph.edges.emplace_back(last, graph.vertices.size() - 1);
+      last = graph.vertices.size() - 1;
+    }
+    graph.edges.emplace_back(last, to);
+    for(auto& vertex : graph.vertices) {
+      vertex.is_cross_section = true;
+      vertex.radius = 0.2;
+    }
+    const Skeleton_graph opened = with_loops_opened(
+      graph, [&](const Loop& loop) { return has_room_for_hole(loop, graph); });
+    CHECK(graph.edges.size() - opened.edges.size() == (inner > 0.5 ? 1 : 0));
+  }
 }
 
 TEST_CASE("Of two loops with a common side each is judged alone, and all stays connected")

@@ -10,7 +10,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <limits>
+#include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -39,36 +42,142 @@ inline Curve_evidence evidence_along(const Loop& loop, const Skeleton_graph& gra
   return result;
 }
 
+/// Returns places that divide a closed polygon into `number` pieces of equal length. O(size +
+/// number). \pre the polygon is not empty
+inline std::vector<Vector3> evenly_along(const std::vector<Vector3>& polygon, std::size_t number)
+{
+  std::vector<double> way(1, 0); // to each corner, and back to the first
+  for(std::size_t k = 0; k < polygon.size(); ++k)
+    way.push_back(way.back() + (polygon[(k + 1) % polygon.size()] - polygon[k]).norm());
+  std::vector<Vector3> result;
+  std::size_t edge = 0;
+  for(std::size_t i = 0; i < number; ++i) {
+    const double there = way.back() * static_cast<double>(i) / static_cast<double>(number);
+    while(edge + 1 < polygon.size() && way[edge + 1] <= there)
+      ++edge;
+    const double length = way[edge + 1] - way[edge], t = length > 0 ? (there - way[edge]) / length : 0;
+    result.push_back((1 - t) * polygon[edge] + t * polygon[(edge + 1) % polygon.size()]);
+  }
+  return result;
+}
+
+/// Returns the area that a closed polygon encloses: the least of a strip between two halves of it, for
+/// all places to halve it. That of a polygon which only runs to and fro is small, however it bends.
+/// O(n^2).
+inline double enclosed_area(const std::vector<Vector3>& polygon)
+{
+  const std::size_t size = polygon.size();
+  double least = std::numeric_limits<double>::infinity();
+  for(std::size_t end = 0; end < size; ++end) {
+    const auto ahead = [&](std::size_t k) { return polygon[(end + k) % size]; };
+    double area = 0;
+    for(std::size_t k = 0; 2 * k < size; ++k) { // between two rungs
+      const Vector3 a = ahead(k), b = ahead(k + 1), c = ahead(size - k - 1), d = ahead(size - k);
+      area += ((b - a).cross(d - a).norm() + (b - c).cross(d - c).norm()) / 2;
+    }
+    least = (std::min)(least, area);
+  }
+  return least;
+}
+
 /// Whether there is room for a hole in a loop: it is wider than its limbs are thick, and than three
 /// spacings. A limb that looks like two side by side, and two that touch twice, make loops without
 /// one, and narrower holes are gaps between points.
 ///
-/// The radius of a circle is twice its area over its length. The same ratio is that of any loop,
-/// with the area of the triangles between its edges and its middle; it is small where a loop only
-/// runs to and fro. It is compared with the mean radius at the separators: a sheet around a hole
-/// may be much wider than the hole. O(length of the loop).
+/// The radius of a circle is twice its area over its length. The same ratio is that of any loop; it
+/// is small where a loop only runs to and fro. It is compared with the mean radius at the separators:
+/// a sheet around a hole may be much wider than the hole. O(length of the loop).
 inline bool has_room_for_hole(const Loop& loop, const Skeleton_graph& graph)
 {
   constexpr double no_hole = 1.5; // spacings: gaps in strips have up to 1.2, wire frames 40
+  constexpr std::size_t places = 32; // a circle in such steps is exact to 1 %
 
-  Vector3 middle = Vector3::Zero();
-  double radii = 0, separators = 0;
+  std::vector<Vector3> polygon;
+  double radii = 0, separators = 0, length = 0;
   for(std::size_t v : loop) {
     const Skeleton_graph::Vertex& vertex = graph.vertices[v];
-    middle += vertex.position / static_cast<double>(loop.size());
+    polygon.push_back(vertex.position);
     if(vertex.is_cross_section) {
       radii += (std::max)(vertex.radius, no_hole * vertex.resolution);
       ++separators;
     }
   }
-  double area = 0, length = 0;
   visit_edges(loop, [&](std::size_t v, std::size_t w) {
-    const Vector3 &a = graph.vertices[v].position, &b = graph.vertices[w].position;
-    area += (a - middle).cross(b - middle).norm() / 2;
-    length += (b - a).norm();
+    length += (graph.vertices[v].position - graph.vertices[w].position).norm();
   });
+  const double area = enclosed_area(evenly_along(polygon, places));
   return 2 * area * separators >= radii * length;
 }
+
+/// Returns the edges of a loop with their smaller ends first, in ascending order. O(n log n).
+inline std::vector<Skeleton_graph::Edge> sorted_edges(const Loop& loop)
+{
+  std::vector<Skeleton_graph::Edge> result;
+  visit_edges(loop, [&](std::size_t v, std::size_t w) { result.push_back(std::minmax(v, w)); });
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// Returns the loop of some edges; empty if they make none, or several. O(n log n).
+inline Loop loop_of(const std::vector<Skeleton_graph::Edge>& edges)
+{
+  std::map<std::size_t, std::vector<std::size_t>> adjacency;
+  for(const auto& [v, w] : edges) {
+    adjacency[v].push_back(w);
+    adjacency[w].push_back(v);
+  }
+  Loop result;
+  if(edges.empty() || std::any_of(adjacency.begin(), adjacency.end(), [](const auto& neighbors) {
+       return neighbors.second.size() != 2;
+     }))
+    return result;
+  const std::size_t first = edges.front().first;
+  std::size_t v = first, before = edges.front().second;
+  do {
+    result.push_back(v);
+    const std::vector<std::size_t>& next = adjacency[v];
+    v = next[next[0] == std::exchange(before, v) ? 1 : 0];
+  } while(v != first);
+  return result.size() == edges.size() ? result : Loop();
+}
+
+/// Loops, and what lies between them and others.
+class Known_loops
+{
+public:
+  /// O(n log n).
+  void add(const Loop& loop)
+  {
+    for(const Skeleton_graph::Edge& edge : sorted_edges(loop))
+      loops_with_[edge].push_back(edges_of_.size());
+    edges_of_.push_back(sorted_edges(loop));
+  }
+
+  /// Returns the loops of the edges that are either in `loop` or in a known one, for all known ones
+  /// that have an edge in common with it. O(n log n) for each.
+  std::vector<Loop> beside(const Loop& loop) const
+  {
+    const std::vector<Skeleton_graph::Edge> edges = sorted_edges(loop);
+    std::set<std::size_t> near;
+    for(const Skeleton_graph::Edge& edge : edges)
+      if(const auto found = loops_with_.find(edge); found != loops_with_.end())
+        near.insert(found->second.begin(), found->second.end());
+    std::vector<Loop> result;
+    for(std::size_t k : near) {
+      std::vector<Skeleton_graph::Edge> in_one;
+      std::set_symmetric_difference(edges.begin(), edges.end(), edges_of_[k].begin(),
+                                    edges_of_[k].end(), std::back_inserter(in_one));
+      Loop between = loop_of(in_one);
+      if(!between.empty())
+        result.push_back(std::move(between));
+    }
+    return result;
+  }
+
+private:
+  std::vector<std::vector<Skeleton_graph::Edge>> edges_of_;
+  std::map<Skeleton_graph::Edge, std::vector<std::size_t>> loops_with_;
+};
 
 /// The edges of a skeleton graph that are added one by one, and the loops that they close.
 class Loop_search
@@ -123,8 +232,10 @@ private:
 
 /// Part 3c: returns the graph with loops opened where their evidence is least, unless
 /// `is_kept(loop)`. Edges are added in the order of their evidence, that of the weaker end. Of one
-/// that closes loops the shortest is asked: around a narrow hole, not the long way beside it.
-/// O(n log n + loops times the vertices as near as their length).
+/// that closes loops the shortest is asked: around a narrow hole, not the long way beside it. So are
+/// those between that one and others that were kept: two ways through one limb, on both sides of a gap
+/// in the data, lead around the same hole. O(n log n + loops times the vertices as near as their
+/// length).
 template <typename IsKept>
 Skeleton_graph with_loops_opened(Skeleton_graph graph, const IsKept& is_kept)
 {
@@ -136,8 +247,19 @@ Skeleton_graph with_loops_opened(Skeleton_graph graph, const IsKept& is_kept)
                    [&](const auto& a, const auto& b) { return weaker_end(a) > weaker_end(b); });
   Union_find sets(graph.vertices.size());
   Loop_search loops(graph.vertices.size());
+  Known_loops known;
+  const auto may_be_closed_by = [&](const Skeleton_graph::Edge& edge) {
+    const Loop loop = loops.closed_by(edge);
+    if(!is_kept(loop))
+      return false;
+    const std::vector<Loop> beside = known.beside(loop);
+    if(!std::all_of(beside.begin(), beside.end(), is_kept))
+      return false;
+    known.add(loop);
+    return true;
+  };
   for(const Skeleton_graph::Edge& edge : edges)
-    if(sets.join(edge.first, edge.second) || is_kept(loops.closed_by(edge)))
+    if(sets.join(edge.first, edge.second) || may_be_closed_by(edge))
       loops.add(edge);
     else
       opened.push_back(edge);
