@@ -233,7 +233,7 @@ private:
   /// displacements of two vertices differ by no more than what turns the piece as far as limbs bend.
   void keep_in_order()
   {
-    const double most = std::sqrt(1 - square(options_.aligned)); // share of the length
+    const double most = std::sqrt(1 - options_.aligned * options_.aligned); // share of length
     std::vector<bool> is_torn(drawn_.size(), false);
     for(std::size_t v = 0; v < drawn_.size(); ++v) {
       if(!drawn_[v].is_median)
