@@ -17,9 +17,9 @@ struct Scene
   Skeleton reference;
 };
 
-/// The surface of a closed mesh in a random orientation. Its true counts are those of the mesh; where
-/// its skeleton runs is not known: the reference is what this package finds in 20 000 points of all
-/// of the surface.
+/// The surface of a closed mesh in a random orientation. Its true counts are those of the mesh;
+/// where its skeleton runs is not known: the reference is what this package finds in 20 000 points
+/// of all of the surface.
 /// \throw std::runtime_error
 Scene scanned_mesh(const std::string& file, unsigned int seed);
 

@@ -41,8 +41,8 @@ namespace internal {
 /// Then the target is the L1-median of the points of the cross-section, so that the curve stays on
 /// them, and the radius is their median distance from it. In between, the target is between both:
 /// it would jump from one to the other, and the curve would wave. If the points are on a circle,
-/// along half of a trunk, its centre is the target, in a limb that is not resolved, too. Medians that
-/// would fold the curve are ignored.
+/// along half of a trunk, its centre is the target, in a limb that is not resolved, too. Medians
+/// that would fold the curve are ignored.
 /// The positions x minimise the squared distances to the targets plus a bending energy,
 ///
 ///     sum w |x - c|^2 + sum (l / h)^4 |second difference of x|^2
@@ -230,7 +230,8 @@ private:
   /// Ignores medians of points that would fold or stretch a piece of a curve, a radius long:
   /// cross-sections follow each other along a limb. Planes across a curve that is short for the
   /// width of what was seen of a body meet on it, or cut it in places far from each other. The
-  /// displacements of two vertices differ by no more than what turns the piece as far as limbs bend.
+  /// displacements of two vertices differ by no more than what turns the piece as far as limbs
+  /// bend.
   void keep_in_order()
   {
     const double most = std::sqrt(1 - options_.aligned * options_.aligned); // share of length

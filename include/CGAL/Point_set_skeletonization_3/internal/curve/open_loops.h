@@ -55,15 +55,16 @@ inline std::vector<Vector3> evenly_along(const std::vector<Vector3>& polygon, st
     const double there = way.back() * static_cast<double>(i) / static_cast<double>(number);
     while(edge + 1 < polygon.size() && way[edge + 1] <= there)
       ++edge;
-    const double length = way[edge + 1] - way[edge], t = length > 0 ? (there - way[edge]) / length : 0;
+    const double length = way[edge + 1] - way[edge];
+    const double t = length > 0 ? (there - way[edge]) / length : 0;
     result.push_back((1 - t) * polygon[edge] + t * polygon[(edge + 1) % polygon.size()]);
   }
   return result;
 }
 
-/// Returns the area that a closed polygon encloses: the least of a strip between two halves of it, for
-/// all places to halve it. That of a polygon which only runs to and fro is small, however it bends.
-/// O(n^2).
+/// Returns the area that a closed polygon encloses: the least of a strip between two halves of it,
+/// for all places to halve it. That of a polygon which only runs to and fro is small, however it
+/// bends. O(n^2).
 inline double enclosed_area(const std::vector<Vector3>& polygon)
 {
   const std::size_t size = polygon.size();
@@ -85,8 +86,8 @@ inline double enclosed_area(const std::vector<Vector3>& polygon)
 /// one, and narrower holes are gaps between points.
 ///
 /// The radius of a circle is twice its area over its length. The same ratio is that of any loop; it
-/// is small where a loop only runs to and fro. It is compared with the mean radius at the separators:
-/// a sheet around a hole may be much wider than the hole. O(length of the loop).
+/// is small where a loop only runs to and fro. It is compared with the mean radius at the
+/// separators: a sheet around a hole may be much wider than the hole. O(length of the loop).
 inline bool has_room_for_hole(const Loop& loop, const Skeleton_graph& graph)
 {
   constexpr double no_hole = 1.5; // spacings: gaps in strips have up to 1.2, wire frames 40
@@ -232,10 +233,10 @@ private:
 
 /// Part 3c: returns the graph with loops opened where their evidence is least, unless
 /// `is_kept(loop)`. Edges are added in the order of their evidence, that of the weaker end. Of one
-/// that closes loops the shortest is asked: around a narrow hole, not the long way beside it. So are
-/// those between that one and others that were kept: two ways through one limb, on both sides of a gap
-/// in the data, lead around the same hole. O(n log n + loops times the vertices as near as their
-/// length).
+/// that closes loops the shortest is asked: around a narrow hole, not the long way beside it. So
+/// are those between that one and others that were kept: two ways through one limb, on both sides
+/// of a gap in the data, lead around the same hole. O(n log n + loops times the vertices as near as
+/// their length).
 template <typename IsKept>
 Skeleton_graph with_loops_opened(Skeleton_graph graph, const IsKept& is_kept)
 {
