@@ -163,7 +163,7 @@ TEST_CASE("A loop is named in its order, from whichever vertex")
   }
 }
 
-TEST_CASE("An edge beside a long loop is asked for the short one that it closes, then for the other")
+TEST_CASE("An edge beside a long loop is asked first for the short one that it closes")
 {
   Skeleton_graph graph = polygon(40, 1);
   graph.vertices.resize(41);
