@@ -149,9 +149,8 @@ public:
   /// O(n log n).
   void add(const Loop& loop)
   {
-    for(const Skeleton_graph::Edge& edge : sorted_edges(loop))
-      loops_with_[edge].push_back(edges_of_.size());
-    edges_of_.push_back(sorted_edges(loop));
+    for(const Skeleton_graph::Edge& edge : edges_of_.emplace_back(sorted_edges(loop)))
+      loops_with_[edge].push_back(edges_of_.size() - 1);
   }
 
   /// Returns the loops of the edges that are either in `loop` or in a known one, for all known ones
