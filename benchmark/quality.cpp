@@ -110,12 +110,16 @@ CLI::App* add_clouds(CLI::App& app, Quality_options& options)
 CLI::App* add_scans(CLI::App& app, Quality_options& options)
 {
   CLI::App* command = app.add_subcommand("scans", "scans whose skeleton is known");
-  command->add_option("FILES", options.files, "CLOUD:REFERENCE.obj, instead of simulated scans");
+  CLI::Option* const files = command->add_option(
+      "FILES", options.files, "CLOUD:REFERENCE.obj, instead of simulated scans");
+  CLI::Option* const families =
+      command->add_option("--families", options.families, "some only, a,b")->delimiter(',');
   command
       ->add_option("--meshes", options.meshes,
                    "closed meshes instead; of a folder, CGAL's sample models")
-      ->type_name("FILE");
-  command->add_option("--families", options.families, "some only, a,b")->delimiter(',');
+      ->type_name("FILE")
+      ->excludes(files)
+      ->excludes(families);
   command->add_option("--variants", options.variants, "some only, a,b")->delimiter(',');
   command->add_option("--points", options.sizes, "about, of a cloud [5000,20000,80000]")
       ->delimiter(',')

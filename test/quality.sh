@@ -50,6 +50,7 @@ refuses cannot generated --csv nowhere/table.csv
 refuses nonsense scans --variants nonsense
 refuses nonsense scans --families nonsense
 refuses --places scans --places 7
+refuses --families scans --families tree --meshes closed.off
 refuses COMPONENTS clouds cloud.xyz:many
 
 accepts generated --families ring --seeds 2 --variants clean,noise_half_percent --points 1000 \
