@@ -333,7 +333,7 @@ TEST_CASE("Trees of paths in pieces have each patch at a vertex and close no cyc
     const Patches patches = tube.patches();
     const Surface_quotient quotient = quotient_of(tube, rings);
     const auto with_trees = [&](bool is_marked) {
-      return with_path_trees(quotient, patches, surfaces::samples_of(patches),
+      return with_path_trees(quotient, surfaces::surface_of(patches), surfaces::samples_of(patches),
                              adjacent_pairs(patches), std::vector<bool>(patches.size(), is_marked),
                              Concurrency::parallel);
     };
@@ -467,7 +467,7 @@ TEST_CASE("A tree of paths follows scattered points around a corner: their middl
     return result;
   };
   const Skeleton_graph tree =
-    with_path_trees(piece, patches, samples, adjacent_pairs(patches),
+    with_path_trees(piece, surfaces::surface_of(patches), samples, adjacent_pairs(patches),
                     std::vector<bool>(patches.size(), true), Concurrency::sequential)
       .graph;
   CHECK(number_of_components(tree) == 1);

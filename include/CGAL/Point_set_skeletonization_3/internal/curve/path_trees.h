@@ -13,8 +13,10 @@
 #include <CGAL/Point_set_skeletonization_3/internal/medial/project_to_lines.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/K_nearest_neighbors.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Component_gaps.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,28 +38,29 @@ namespace internal {
 /// costs more than as many steps: they follow limbs and lead from one to another where they are
 /// closest. Of these paths, those are kept that lead to what is resolved, and then, the longest
 /// first, those that stick out of what was kept before by more than it is thick (TEASAR, Sato et
-/// al. 2000). Each patch belongs to the vertex whose tube it is in.
+/// al. 2000), as far as more of them was seen than is missing: what leads from leaf to leaf through
+/// the air is no limb. Each patch belongs to the vertex whose tube it is in.
 class Path_trees
 {
 public:
   /// `places` are those of the patches, of loose ones in the middle of their limb. Refers to all
   /// other arguments but the last. O(n log n).
-  Path_trees(const Surface_quotient& quotient, const Patches& patches, std::vector<Vector3> places,
+  Path_trees(const Surface_quotient& quotient, const Surface& surface, std::vector<Vector3> places,
              const std::vector<Patch_pair>& pairs, const std::vector<bool>& is_loose,
              Concurrency concurrency)
-    : patches_(patches), places_(std::move(places)), is_loose_(is_loose),
-      tree_(places_, concurrency), result_(quotient), set_of_patch_(patches.size(), none),
-      thickness_(patches.size(), 0), owner_(patches.size(), none),
-      squared_distance_to_owner_(patches.size(), infinity)
+    : patches_(surface.patches), gaps_(surface, concurrency), places_(std::move(places)),
+      is_loose_(is_loose), tree_(places_, concurrency), result_(quotient),
+      set_of_patch_(patches_.size(), none), thickness_(patches_.size(), 0),
+      owner_(patches_.size(), none), squared_distance_to_owner_(patches_.size(), infinity)
   {
     Union_find sets = result_.take_out(is_loose, pairs);
     patches_of_set_.resize(result_.number_of_vertices());
-    for(std::size_t i = 0; i < patches.size(); ++i)
+    for(std::size_t i = 0; i < patches_.size(); ++i)
       if(!is_loose[i]) {
         set_of_patch_[i] = sets.find(result_.vertex_of(i));
         patches_of_set_[set_of_patch_[i]].push_back(i);
       }
-    edges_.resize(patches.size() + patches_of_set_.size());
+    edges_.resize(patches_.size() + patches_of_set_.size());
     before_.resize(edges_.size());
     distance_.assign(edges_.size(), infinity);
     connect(concurrency);
@@ -120,7 +123,7 @@ private:
         const double length = std::sqrt(neighbor.squared_distance);
         if(i == j || !(is_loose_[i] || is_loose_[j]) || length > widest_gap * spacing)
           continue;
-        const double gap = (std::max)(1.0, length / spacing);
+        const double gap = (std::max)(1.0, gaps_.between(i, j) / gaps_.grain(i, j));
         const auto cost = static_cast<float>(gap * gap * (std::max)(length, least_spacing));
         const auto a = static_cast<std::uint32_t>(i), b = static_cast<std::uint32_t>(j);
         edges_[node_of(i)].push_back({a, b, cost});
@@ -247,26 +250,45 @@ private:
       cover(patches_[i].mean, patches_[i].spacing, result_.vertex_of(i));
   }
 
-  /// Keeps the path to a patch if what sticks out of the limb that it begins at is longer than that
-  /// is thick, and than chance: half a spacing.
+  double distance(std::size_t i, std::size_t j) const { return (places_[i] - places_[j]).norm(); }
+
+  /// What is missing between two patches on a path: more than the distance of components next to
+  /// each other. At most their own distance.
+  double missing(std::size_t i, std::size_t j) const
+  {
+    const double gap = (std::min)(gaps_.between(i, j), distance(i, j));
+    return (std::max)(0.0, gap - gaps_.grain(i, j));
+  }
+
+  /// Keeps the path to a patch, up to where most more of it was seen than is missing, if that is
+  /// more than the limb that it begins at is thick, and than chance: half a spacing.
   void keep_if_long(std::size_t patch)
   {
     std::vector<std::size_t> path{patch};
     const std::size_t end = path_before(patch, path);
-    const std::size_t foot = path.back(), inside = node_before(foot);
-    double length = 0, thickness = thickness_[foot];
-    for(std::size_t k = 1; k < path.size(); ++k)
-      length += (places_[path[k]] - places_[path[k - 1]]).norm();
-    if(inside < patches_.size()) {
-      length += (places_[foot] - places_[inside]).norm();
-      thickness = (std::max)(thickness, thickness_[inside]);
+    const std::size_t foot = path.back(), before = before_[foot].from;
+    double seen = 0, thickness = thickness_[foot]; // what is resolved has its own
+    if(is_loose_[before]) {
+      seen = distance(foot, before) - missing(foot, before);
+      thickness = (std::max)(thickness, thickness_[before]);
     }
-    const double spacing = (std::max)(patches_[foot].spacing, patches_[patch].spacing);
-    if(length > 2 * thickness + spacing / 2)
+    double excess = seen - missing(foot, before), most = excess; // of what was seen
+    std::size_t last = path.size() - 1;
+    for(std::size_t k = last; k-- > 0;) {
+      excess += distance(path[k], path[k + 1]) - 2 * missing(path[k], path[k + 1]);
+      if(excess >= most) {
+        most = excess;
+        last = k;
+      }
+    }
+    path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(last));
+    const double spacing = (std::max)(patches_[foot].spacing, patches_[path.front()].spacing);
+    if(most > 2 * thickness + spacing / 2)
       keep_path(path, end);
   }
 
   const Patches& patches_;
+  const Component_gaps gaps_;
   const std::vector<Vector3> places_;
   const std::vector<bool>& is_loose_;
   Box_tree tree_; ///< Of the places.
@@ -326,7 +348,7 @@ inline std::vector<bool> loose_patches(const Surface_quotient& quotient,
 /// what is resolved. Nothing was seen of them from all sides: they close no cycle. O(n log n) in
 /// practice; O(n) if all is resolved.
 /// \param pairs adjacent patches, `Ball_overlaps::pairs()`
-inline Surface_quotient with_path_trees(Surface_quotient quotient, const Patches& patches,
+inline Surface_quotient with_path_trees(Surface_quotient quotient, const Surface& surface,
                                         const Samples& samples,
                                         const std::vector<Patch_pair>& pairs,
                                         const std::vector<bool>& is_unresolved,
@@ -340,6 +362,7 @@ inline Surface_quotient with_path_trees(Surface_quotient quotient, const Patches
   const std::vector<bool> is_loose = loose_patches(quotient, pairs, is_unresolved);
   if(!has_any(is_loose))
     return quotient;
+  const Patches& patches = surface.patches;
   std::vector<Vector3> places, loose;
   std::vector<double> spacings;
   for(std::size_t i = 0; i < patches.size(); ++i) {
@@ -353,7 +376,7 @@ inline Surface_quotient with_path_trees(Surface_quotient quotient, const Patches
   for(std::size_t i = 0, k = 0; i < patches.size(); ++i)
     if(is_loose[i])
       places[i] = loose[k++];
-  return Path_trees(quotient, patches, std::move(places), pairs, is_loose, concurrency)
+  return Path_trees(quotient, surface, std::move(places), pairs, is_loose, concurrency)
     .run(samples);
 }
 

@@ -143,8 +143,8 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
     quotient = surface.is_of_lines
                  ? with_line_trees(std::move(quotient), surface.patches, samples,
                                    overlaps.pairs(), is_unresolved)
-                 : with_path_trees(std::move(quotient), surface.patches, samples,
-                                   overlaps.pairs(), is_unresolved, concurrency);
+                 : with_path_trees(std::move(quotient), surface, samples, overlaps.pairs(),
+                                   is_unresolved, concurrency);
     quotient = with_handle_fronts(std::move(quotient), separators, surface.patches, samples,
                                   overlaps.pairs());
     move_inside(quotient, surface, samples, concurrency);
