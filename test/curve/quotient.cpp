@@ -374,7 +374,8 @@ TEST_CASE("A cluster in the tube of a limb that it is not connected with belongs
   const Surface_quotient piece = one_piece(patches, samples);
   const std::vector<bool> is_loose(patches.size(), true);
   const Surface_quotient trees =
-    Path_trees(piece, patches, places, {}, is_loose, Concurrency::sequential).run(samples);
+    Path_trees(piece, surfaces::surface_of(patches), places, {}, is_loose, Concurrency::sequential)
+      .run(samples);
   CHECK(number_of_components(trees.graph) == 1);
   for(std::size_t i = 0; i < patches.size(); ++i) {
     REQUIRE(trees.vertex_of_patch[i] < trees.members.size());
@@ -428,6 +429,45 @@ TEST_CASE("What has no cross-section between unresolved patches is as these, unl
   CHECK(loose_if_unresolved_until(tube.along / 3) ==
         static_cast<std::ptrdiff_t>(tube.index(tube.along / 3, 0)));
   CHECK(loose_if_unresolved_until(2 * tube.along / 3) == size);
+}
+
+TEST_CASE("A path ends where what follows was seen less than is missing before it")
+{
+  constexpr int limb = 60; // patches, so long that the root is in it
+  constexpr double gap = 3.4;
+  const auto end_of_path = [&](int pieces, int patches_of_piece) { // one behind the other
+    Patches patches;
+    double x = 0;
+    const auto add = [&](int number) {
+      for(int k = 0; k < number; ++k, ++x) {
+        Patch patch;
+        patch.mean = Vector3(x, 0, 0);
+        patch.spacing = patch.weight = patch.area = 1;
+        patches.push_back(patch);
+      }
+    };
+    add(limb);
+    for(int k = 0; k < pieces; ++k) {
+      x += gap - 1;
+      add(patches_of_piece);
+    }
+    Samples samples;
+    for(const Patch& patch : patches)
+      samples.push_back({patch.mean, 0});
+    const Skeleton_graph tree =
+      with_path_trees(one_piece(patches, samples), surfaces::surface_of(patches), samples, {},
+                      std::vector<bool>(patches.size(), true), Concurrency::sequential)
+        .graph;
+    double furthest = 0;
+    for(const Skeleton_graph::Vertex& vertex : tree.vertices)
+      furthest = std::max(furthest, vertex.position.x());
+    return furthest;
+  };
+  for(int pieces : {1, 2, 3}) {
+    CAPTURE(pieces);
+    CHECK(end_of_path(pieces, 3) == limb - 1);
+    CHECK(end_of_path(pieces, 6) == Approx(limb - 1 + pieces * (gap + 5)));
+  }
 }
 
 TEST_CASE("A tree of paths follows scattered points around a corner: their middle is in the air")

@@ -4,12 +4,16 @@
 // Patches that follow the shape: components merged where they are flat, and what is left of their
 // moments and adjacency.
 
+#include "surface_of.h"
+
 #include "catch2.h"
 #include "generator/Random.h"
 
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/K_nearest_neighbors.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Component_gaps.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_groups.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/contract_patches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/estimate_patches.h>
@@ -263,6 +267,29 @@ TEST_CASE("Contraction keeps weight, mean, area and adjacency")
         REQUIRE((g == h || std::binary_search(next.begin(), next.end(), h)));
       }
   }
+}
+
+TEST_CASE("Gaps are those between components, in what these are apart, whatever the patches are")
+{
+  // Two groups of five components in a row, 0.1 apart, and 1.6 from the one to the other.
+  Patches patches(2);
+  std::vector<Vector3> components;
+  std::vector<std::size_t> group_of;
+  for(std::size_t group : {0, 1})
+    for(int k = 0; k < 5; ++k) {
+      components.emplace_back(2.0 * static_cast<double>(group) + 0.1 * k, 0, 0);
+      group_of.push_back(group);
+    }
+  for(std::size_t group : {0, 1})
+    patches[group].mean = components[5 * group + 2];
+  Surface surface = surfaces::surface_of(patches);
+  surface.component_tree = Box_tree(components);
+  surface.components = std::move(components);
+  surface.groups = Patch_groups(std::move(group_of), 2);
+  const Component_gaps gaps(surface, Concurrency::sequential);
+  CHECK(gaps.between(0, 1) == Approx(1.6));
+  CHECK(gaps.between(1, 0) == Approx(1.6));
+  CHECK(gaps.grain(0, 1) == Approx(0.1)); // the outer ones have none on the other side
 }
 
 } // namespace groups_test

@@ -90,6 +90,9 @@ private:
     float cost;
   };
 
+  /// The distance of the places of two patches.
+  double distance(std::size_t i, std::size_t j) const { return (places_[i] - places_[j]).norm(); }
+
   /// The node of a patch.
   std::size_t node_of(std::size_t patch) const
   {
@@ -138,10 +141,13 @@ private:
   /// whose way to any limb is short.
   void grow_tree(std::size_t patch)
   {
-    std::size_t root = spread(patch).back();
-    root = spread(root).back();
-    for(const double half = distance_[root] / 2; distance_[root] > half;)
-      root = node_before(root);
+    const std::size_t end = spread(spread(patch).back()).back();
+    double length = 0; // of the path, without what is resolved
+    for(std::size_t node = end; !is_start(node); node = node_before(node))
+      length += distance(before_[node].from, before_[node].to);
+    std::size_t root = end;
+    for(double half = length / 2; half > 0 && !is_start(root); root = node_before(root))
+      half -= distance(before_[root].from, before_[root].to);
     const std::vector<std::size_t> order = spread(root);
     if(root < patches_.size())
       keep(root);
@@ -250,14 +256,13 @@ private:
       cover(patches_[i].mean, patches_[i].spacing, result_.vertex_of(i));
   }
 
-  double distance(std::size_t i, std::size_t j) const { return (places_[i] - places_[j]).norm(); }
-
-  /// What is missing between two patches on a path: more than the distance of components next to
-  /// each other. At most their own distance.
+  /// How much is missing between two patches on a path: all between their components, unless these
+  /// are next to each other.
   double missing(std::size_t i, std::size_t j) const
   {
+    constexpr double reach = 1.5; // grains; components next to each other are seldom further apart
     const double gap = (std::min)(gaps_.between(i, j), distance(i, j));
-    return (std::max)(0.0, gap - gaps_.grain(i, j));
+    return gap > reach * gaps_.grain(i, j) ? gap : 0;
   }
 
   /// Keeps the path to a patch, up to where most more of it was seen than is missing, if that is
