@@ -141,13 +141,10 @@ private:
   /// whose way to any limb is short.
   void grow_tree(std::size_t patch)
   {
-    const std::size_t end = spread(spread(patch).back()).back();
-    double length = 0; // of the path, without what is resolved
-    for(std::size_t node = end; !is_start(node); node = node_before(node))
-      length += distance(before_[node].from, before_[node].to);
-    std::size_t root = end;
-    for(double half = length / 2; half > 0 && !is_start(root); root = node_before(root))
-      half -= distance(before_[root].from, before_[root].to);
+    std::vector<std::size_t> longest{spread(spread(patch).back()).back()};
+    while(!is_start(longest.back()))
+      longest.push_back(node_before(longest.back()));
+    const std::size_t root = longest[longest.size() / 2];
     const std::vector<std::size_t> order = spread(root);
     if(root < patches_.size())
       keep(root);
