@@ -24,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <set>
@@ -467,6 +468,33 @@ TEST_CASE("A path ends where what follows was seen less than is missing before i
     CAPTURE(pieces);
     CHECK(end_of_path(pieces, 3) == limb - 1);
     CHECK(end_of_path(pieces, 6) == Approx(limb - 1 + pieces * (gap + 5)));
+  }
+}
+
+TEST_CASE("What is resolved is joined over a gap if as much as is missing was seen")
+{
+  constexpr std::size_t limb = 60;
+  constexpr double gap = 3.4;
+  for(const std::size_t beyond : {3, 6}) {
+    CAPTURE(beyond);
+    Patches patches(limb + beyond);
+    std::vector<Vector3> places;
+    std::vector<Patch_pair> pairs;
+    for(std::size_t i = 0; i < patches.size(); ++i) {
+      patches[i].mean.x() = static_cast<double>(i) + (i < limb ? 0 : gap - 1);
+      patches[i].spacing = patches[i].weight = patches[i].area = 1;
+      places.push_back(patches[i].mean);
+      if(i > limb)
+        pairs.push_back({static_cast<std::uint32_t>(i - 1), static_cast<std::uint32_t>(i)});
+    }
+    std::vector<bool> is_loose(patches.size(), true);
+    std::fill_n(is_loose.rbegin(), beyond, false);
+    const Surface_quotient piece = one_piece(patches, surfaces::samples_of(patches));
+    const Surface_quotient trees =
+      Path_trees(piece, surfaces::surface_of(patches), places, pairs, is_loose,
+                 Concurrency::sequential)
+        .run(surfaces::samples_of(patches));
+    CHECK(number_of_components(trees.graph) == (static_cast<double>(beyond - 1) > gap ? 1 : 2));
   }
 }
 

@@ -18,6 +18,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -148,9 +150,10 @@ private:
     const std::vector<std::size_t> order = spread(root);
     if(root < patches_.size())
       keep(root);
-    for(std::size_t node : order)
-      if(node >= patches_.size())
-        keep_set(node);
+    const std::vector<double> beyond = seen_beyond(order);
+    for(std::size_t k = 0; k < order.size(); ++k)
+      if(order[k] >= patches_.size())
+        keep_set(order[k], beyond[k]);
     for(auto node = order.rbegin(); node != order.rend(); ++node)
       if(*node < patches_.size() && owner_[*node] == none)
         keep_if_long(*node);
@@ -241,18 +244,6 @@ private:
     return vertex;
   }
 
-  /// Joins a set of vertices to the tree; loose patches next to it belong to it.
-  void keep_set(std::size_t node)
-  {
-    if(!is_start(node)) {
-      std::vector<std::size_t> path;
-      const std::size_t end = path_before(node, path);
-      result_.add_edge(result_.vertex_of(before_[node].to), keep_path(path, end));
-    }
-    for(std::size_t i : patches_of_set_[node - patches_.size()])
-      cover(patches_[i].mean, patches_[i].spacing, result_.vertex_of(i));
-  }
-
   /// How much is missing between two patches on a path: all between their components, unless these
   /// are next to each other.
   double missing(std::size_t i, std::size_t j) const
@@ -260,6 +251,71 @@ private:
     constexpr double reach = 1.5; // grains; components next to each other are seldom further apart
     const double gap = (std::min)(gaps_.between(i, j), distance(i, j));
     return gap > reach * gaps_.grain(i, j) ? gap : 0;
+  }
+
+  /// How much more was seen between two patches than is missing.
+  double seen_between(std::size_t i, std::size_t j) const
+  {
+    return distance(i, j) - 2 * missing(i, j);
+  }
+
+  /// The same between a node and the one before it.
+  double seen_before(std::size_t node) const
+  {
+    return seen_between(before_[node].from, before_[node].to);
+  }
+
+  /// How long a set of vertices is.
+  double size_of_set(std::size_t set) const
+  {
+    Eigen::AlignedBox3d box;
+    for(std::size_t i : patches_of_set_[set])
+      box.extend(patches_[i].mean);
+    return box.diagonal().norm();
+  }
+
+  /// Returns how much more was seen than is missing from each of the nodes on that `spread()`
+  /// returned, along the best path away from its start.
+  std::vector<double> seen_beyond(const std::vector<std::size_t>& order) const
+  {
+    std::vector<std::size_t> place(edges_.size(), none); // in the order
+    std::vector<double> result(order.size(), 0);
+    for(std::size_t k = 0; k < order.size(); ++k)
+      place[order[k]] = k;
+    for(std::size_t k = order.size(); k-- > 0;) {
+      const std::size_t node = order[k];
+      if(node >= patches_.size())
+        result[k] += size_of_set(node - patches_.size());
+      if(is_start(node))
+        continue;
+      double& before = result[place[node_before(node)]];
+      before = (std::max)(before, result[k] + seen_before(node));
+    }
+    return result;
+  }
+
+  /// Whether from a node backwards nowhere on its path more is missing than was seen until there and
+  /// `beyond` the node. The path is what `path_before()` appended.
+  bool is_seen(std::size_t node, const std::vector<std::size_t>& path, double beyond) const
+  {
+    double seen = beyond + seen_before(node);
+    for(auto before = path.begin(); before != path.end() && seen >= 0; ++before)
+      seen += seen_before(*before);
+    return seen >= 0;
+  }
+
+  /// Joins a set of vertices to the tree, unless more is missing than was seen; loose patches next
+  /// to it belong to it in any case.
+  void keep_set(std::size_t node, double beyond)
+  {
+    if(!is_start(node)) {
+      std::vector<std::size_t> path;
+      const std::size_t end = path_before(node, path);
+      if(is_seen(node, path, beyond))
+        result_.add_edge(result_.vertex_of(before_[node].to), keep_path(path, end));
+    }
+    for(std::size_t i : patches_of_set_[node - patches_.size()])
+      cover(patches_[i].mean, patches_[i].spacing, result_.vertex_of(i));
   }
 
   /// Keeps the path to a patch, up to where most more of it was seen than is missing, if that is
@@ -277,7 +333,7 @@ private:
     double excess = seen - missing(foot, before), most = excess; // of what was seen
     std::size_t last = path.size() - 1;
     for(std::size_t k = last; k-- > 0;) {
-      excess += distance(path[k], path[k + 1]) - 2 * missing(path[k], path[k + 1]);
+      excess += seen_between(path[k], path[k + 1]);
       if(excess >= most) {
         most = excess;
         last = k;
