@@ -40,8 +40,8 @@ namespace internal {
 /// costs more than as many steps: they follow limbs and lead from one to another where they are
 /// closest. Of these paths, those are kept that lead to what is resolved, and then, the longest
 /// first, those that stick out of what was kept before by more than it is thick (TEASAR, Sato et
-/// al. 2000), as far as more of them was seen than is missing: what leads from leaf to leaf through
-/// the air is no limb. Each patch belongs to the vertex whose tube it is in.
+/// al. 2000), both only as far as more of them was seen than is missing: what leads from leaf to
+/// leaf through the air is no limb. Each patch belongs to the vertex whose tube it is in.
 class Path_trees
 {
 public:
@@ -65,6 +65,7 @@ public:
     edges_.resize(patches_.size() + patches_of_set_.size());
     before_.resize(edges_.size());
     distance_.assign(edges_.size(), infinity);
+    beyond_.resize(edges_.size());
     connect(concurrency);
   }
 
@@ -150,10 +151,10 @@ private:
     const std::vector<std::size_t> order = spread(root);
     if(root < patches_.size())
       keep(root);
-    const std::vector<double> beyond = seen_beyond(order);
-    for(std::size_t k = 0; k < order.size(); ++k)
-      if(order[k] >= patches_.size())
-        keep_set(order[k], beyond[k]);
+    look_beyond(order);
+    for(std::size_t node : order)
+      if(node >= patches_.size())
+        keep_set(node);
     for(auto node = order.rbegin(); node != order.rend(); ++node)
       if(*node < patches_.size() && owner_[*node] == none)
         keep_if_long(*node);
@@ -274,31 +275,27 @@ private:
     return box.diagonal().norm();
   }
 
-  /// Returns how much more was seen than is missing from each of the nodes on that `spread()`
-  /// returned, along the best path away from its start.
-  std::vector<double> seen_beyond(const std::vector<std::size_t>& order) const
+  /// Sets how much more was seen than is missing from each node on, along the best path away from
+  /// the start. `order` is what `spread()` returned.
+  void look_beyond(const std::vector<std::size_t>& order)
   {
-    std::vector<std::size_t> place(edges_.size(), none); // in the order
-    std::vector<double> result(order.size(), 0);
-    for(std::size_t k = 0; k < order.size(); ++k)
-      place[order[k]] = k;
-    for(std::size_t k = order.size(); k-- > 0;) {
-      const std::size_t node = order[k];
-      if(node >= patches_.size())
-        result[k] += size_of_set(node - patches_.size());
-      if(is_start(node))
+    for(std::size_t node : order)
+      beyond_[node] = 0;
+    for(auto node = order.rbegin(); node != order.rend(); ++node) {
+      if(*node >= patches_.size())
+        beyond_[*node] += size_of_set(*node - patches_.size());
+      if(is_start(*node))
         continue;
-      double& before = result[place[node_before(node)]];
-      before = (std::max)(before, result[k] + seen_before(node));
+      double& before = beyond_[node_before(*node)];
+      before = (std::max)(before, beyond_[*node] + seen_before(*node));
     }
-    return result;
   }
 
   /// Whether from a node backwards nowhere on its path more is missing than was seen until there and
-  /// `beyond` the node. The path is what `path_before()` appended.
-  bool is_seen(std::size_t node, const std::vector<std::size_t>& path, double beyond) const
+  /// beyond the node. The path is what `path_before()` appended.
+  bool is_seen(std::size_t node, const std::vector<std::size_t>& path) const
   {
-    double seen = beyond + seen_before(node);
+    double seen = beyond_[node] + seen_before(node);
     for(auto before = path.begin(); before != path.end() && seen >= 0; ++before)
       seen += seen_before(*before);
     return seen >= 0;
@@ -306,12 +303,12 @@ private:
 
   /// Joins a set of vertices to the tree, unless more is missing than was seen; loose patches next
   /// to it belong to it in any case.
-  void keep_set(std::size_t node, double beyond)
+  void keep_set(std::size_t node)
   {
     if(!is_start(node)) {
       std::vector<std::size_t> path;
       const std::size_t end = path_before(node, path);
-      if(is_seen(node, path, beyond))
+      if(is_seen(node, path))
         result_.add_edge(result_.vertex_of(before_[node].to), keep_path(path, end));
     }
     for(std::size_t i : patches_of_set_[node - patches_.size()])
@@ -325,12 +322,12 @@ private:
     std::vector<std::size_t> path{patch};
     const std::size_t end = path_before(patch, path);
     const std::size_t foot = path.back(), before = before_[foot].from;
-    double seen = 0, thickness = thickness_[foot]; // what is resolved has its own
-    if(is_loose_[before]) {
-      seen = distance(foot, before) - missing(foot, before);
+    double excess = seen_between(foot, before), thickness = thickness_[foot];
+    if(is_loose_[before])
       thickness = (std::max)(thickness, thickness_[before]);
-    }
-    double excess = seen - missing(foot, before), most = excess; // of what was seen
+    else
+      excess = -missing(foot, before); // the way from the surface of what is resolved is no limb
+    double most = excess;
     std::size_t last = path.size() - 1;
     for(std::size_t k = last; k-- > 0;) {
       excess += seen_between(path[k], path[k + 1]);
@@ -363,6 +360,7 @@ private:
   std::vector<double> distance_;
   std::vector<Edge> before_; ///< From the node before it, on the path to it.
   std::vector<std::size_t> reached_;
+  std::vector<double> beyond_; ///< How much more was seen from it on than is missing.
 
   // Of each loose patch.
   std::vector<std::size_t> owner_; ///< The vertex that it belongs to.
