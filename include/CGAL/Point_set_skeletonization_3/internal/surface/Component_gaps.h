@@ -41,7 +41,8 @@ public:
     });
   }
 
-  /// Returns the least distance between components of two patches. O(1): they are few.
+  /// Returns the least distance between components of two patches. O(components of the one, times
+  /// those of the other).
   double between(std::size_t i, std::size_t j) const
   {
     double least = std::numeric_limits<double>::infinity();
