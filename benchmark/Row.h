@@ -27,6 +27,7 @@ struct Row : Measurements
   double found = not_measured;       ///< share of the true skeleton that has points near it
   double true_share = not_measured;  ///< of our skeleton
   double unsupported = not_measured; ///< share of our skeleton in empty space
+  double radius = not_measured;      ///< factor by which radii are wrong, at least 1
   double axis_mean = not_measured, axis_maximum = not_measured; ///< local radii
   double seconds = not_measured;
   std::string status = "ok"; ///< or what went wrong

@@ -8,6 +8,7 @@
 #include "axis_distance.h"
 #include "inside_share.h"
 #include "measure.h"
+#include "radius_factor.h"
 #include "to_points.h"
 
 #include "generator/clouds.h"
@@ -29,6 +30,9 @@ void measure_shape(Row& row, const Skeleton& skeleton, const shapes::Known_shape
   const auto distance = metrics::axis_distance(skeleton, shape.axis, shape.junctions);
   row.axis_mean = distance.mean;
   row.axis_maximum = distance.maximum;
+  constexpr double tolerance = 0.015; // diagonals
+  row.radius = metrics::radius_factor(skeleton, shape.axis,
+                                      tolerance * bounding_box(shape).diagonal().norm());
   const auto inside = [&shape](const metrics::Point& p) {
     return shape.solid.signed_distance({p.x(), p.y(), p.z()}) <= 0;
   };
@@ -82,6 +86,7 @@ Layout layout()
            count("junctions", &Graph_counts::junctions),
            number("axis", &Row::axis_mean, 3),
            number("axis_max", &Row::axis_maximum, 2),
+           number("radius", &Row::radius, 2),
            number("inside", &Row::inside, 4),
            spurs(),
            number("unexplained", &Row::unexplained, 4),
@@ -92,7 +97,8 @@ Layout layout()
           {group_name(), group_method(), group_size(), share("exact%", &Row::exact),
            share("comp%", &Row::components_exact), share("cycles%", &Row::cycles_exact),
            share("ends%", &Row::ends_exact), mean("axis", &Row::axis_mean, 3),
-           mean("axis_max", &Row::axis_maximum, 2), mean("inside", &Row::inside, 4), outside(),
+           mean("axis_max", &Row::axis_maximum, 2), mean("radius", &Row::radius, 2),
+           mean("inside", &Row::inside, 4), outside(),
            total_spurs(), mean("unexplained", &Row::unexplained, 4),
            mean("moved", &Row::moved_mean, 4), mean("moved_max", &Row::moved_maximum, 4),
            mean("seconds", &Row::seconds, 2)},

@@ -34,15 +34,16 @@ const std::vector<Variant> all_variants = {
     {"sampled", 0, 0, 0, 1, true}};
 
 /// Rows of a cloud, by every method. \param row what is known about the cloud, and the truth
-std::vector<Row> rows_of(Row row, const Skeleton& reference, const std::vector<Point>& points,
-                         const Quality_options& options)
+std::vector<Row> rows_of(Row row, const Skeleton& reference,
+                         const std::vector<shapes::Axis_segment>& axis,
+                         const std::vector<Point>& points, const Quality_options& options)
 {
   std::vector<Outcome> outcomes = skeletonize(points, options.as_published);
   outcomes.push_back(baseline(points));
   std::vector<Row> rows;
   for(const Outcome& outcome : outcomes) {
     measure(row, outcome, points);
-    measure_scan(row, outcome.skeleton, reference, points);
+    measure_scan(row, outcome.skeleton, reference, axis, points);
     write_miss(options.misses, row, outcome.skeleton, points);
     rows.push_back(row);
   }
@@ -61,7 +62,8 @@ std::vector<Row> rows_of(const Job& job, const Quality_options& options)
     row.places = std::to_string(job.places);
     row.truth.components = scene.shape.components;
     row.truth.cycles = scene.shape.cycles;
-    return rows_of(row, scene.reference, to_points(points_of(job, scene.shape)), options);
+    return rows_of(row, scene.reference, scene.shape.axis,
+                   to_points(points_of(job, scene.shape)), options);
   } catch(const std::exception& error) {
     return {failed_row(job.shape, error)};
   }
@@ -81,7 +83,8 @@ std::vector<Row> rows_of(const std::string& argument, const Quality_options& opt
     const Graph_counts truth = count_graph(reference);
     row.truth.components = truth.components;
     row.truth.cycles = truth.cycles;
-    return rows_of(row, reference, read_points<Point>(cloud), options);
+    const std::vector<shapes::Axis_segment> unknown;
+    return rows_of(row, reference, unknown, read_points<Point>(cloud), options);
   } catch(const std::exception& error) {
     return {failed_row(cloud, error)};
   }
@@ -106,12 +109,14 @@ Layout layout()
            count("ends", &Graph_counts::ends),
            {"ends_true", 4, seen_ends},
            number("unsupported", &Row::unsupported, 3),
+           number("radius", &Row::radius, 2),
            number("seconds", &Row::seconds, 2),
            text("status", 2, &Row::status)},
           {group_name(), group_method(), group_size(), share("exact%", &Row::exact),
            share("comp%", &Row::components_exact), share("cycles%", &Row::cycles_exact),
            mean("found", &Row::found, 3), mean("true", &Row::true_share, 3),
-           mean("unsupported", &Row::unsupported, 3), mean("seconds", &Row::seconds, 2)},
+           mean("unsupported", &Row::unsupported, 3), mean("radius", &Row::radius, 2),
+           mean("seconds", &Row::seconds, 2)},
           {[](const Row& row) { return row.shape; }, [](const Row& row) { return row.size; },
            [](const Row& row) { return row.places; }, [](const Row& row) { return row.variant; }}};
 }

@@ -4,6 +4,7 @@
 // What is found of a known skeleton, and what of ours has no points around it.
 
 #include "catch2.h"
+#include "radius_factor.h"
 #include "share_within.h"
 #include "unsupported_share.h"
 
@@ -113,6 +114,32 @@ TEST_CASE("A skeleton without a cloud is not supported")
   const metrics::Point_tree tree(tube(-1, 1, 360));
   CHECK(metrics::unsupported_share(alone, tree, 0.15) == 1); // it has no direction
   CHECK(metrics::unsupported_share(alone, tree, 1.1) == 0);
+}
+
+TEST_CASE("The factor by which radii are wrong is that of half of the length near the axis")
+{
+  struct Piece
+  {
+    Point a, b;
+    double radius_a, radius_b;
+  };
+  const std::vector<Piece> cone = {{Point(0, 0, 0), Point(0, 0, 10), 1, 3}};
+  constexpr double near = 0.5;
+  Skeleton skeleton = path({Point(0, 0, 0), Point(0, 0, 5), Point(0, 0, 10), Point(5, 0, 10)});
+  const double exact[] = {1, 2, 3, 100}; // the last is not near
+  for(std::size_t v = 0; v < 4; ++v)
+    skeleton[v].radius = exact[v];
+  CHECK(metrics::radius_factor(skeleton, cone, near) == Approx(1));
+  for(const double factor : {0.5, 2.}) {
+    for(std::size_t v = 0; v < 3; ++v)
+      skeleton[v].radius = factor * exact[v];
+    CHECK(metrics::radius_factor(skeleton, cone, near) == Approx(2));
+  }
+  skeleton[1].radius = skeleton[2].radius = 0;
+  CHECK(metrics::radius_factor(skeleton, cone, near) == std::numeric_limits<double>::infinity());
+  skeleton[2].radius = 3; // at five eighths of the length, with the edge that leaves the axis
+  CHECK(metrics::radius_factor(skeleton, cone, near) == Approx(2));
+  CHECK(std::isnan(metrics::radius_factor(Skeleton(), cone, near)));
 }
 
 } // namespace scans_test

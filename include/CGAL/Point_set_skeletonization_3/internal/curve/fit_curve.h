@@ -15,6 +15,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/join_fragments.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/refine_curve.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/spread_of_limbs.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/stray_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
@@ -95,19 +96,17 @@ public:
   void centre()
   {
     extend(centre_vertices());
-    const std::vector<double> distances = centre_vertices();
+    centre_vertices();
     measure_radii();
-    for(std::size_t v = 0; v < distances.size(); ++v)
-      if(distances[v] > 0)
-        graph_.vertices[v].radius = distances[v];
-    std::vector<std::vector<Vector3>> points = points_of_vertices();
+    const std::vector<std::vector<Vector3>> points = points_of_vertices();
+    std::vector<std::vector<Vector3>> shown = components_of_vertices();
+    for(std::size_t v = 0; v < points.size(); ++v)
+      if(graph_.vertices[v].is_on_line) // what is scattered around a twig is no noise, but leaves
+        shown[v] = points[v];
+    constexpr double rings = 2; // around a limb: a single one is uneven
+    set_spreads(graph_, shown, static_cast<std::size_t>(rings * options_.least_points));
     if(noise_ > 0)
       correct_radii(points);
-    const std::vector<std::vector<Vector3>> denoised = components_of_vertices();
-    for(std::size_t v = 0; v < points.size(); ++v)
-      if(!graph_.vertices[v].is_on_line) // what is scattered around a twig is no noise, but leaves
-        points[v] = denoised[v];
-    widen_open_limbs(points);
   }
 
   const Skeleton_graph& graph() const { return graph_; }

@@ -7,6 +7,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/core/squared_distance_to_segment.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Winding_number.h>
 
@@ -86,8 +87,8 @@ public:
     const std::array<Vector3, size> beside = other.points_beside(*this);
     for(std::size_t k = 0; k < size; ++k) { // counterparts are half a step off, at most
       const Vector3 &last = beside[(k + size - 1) % size], &next = beside[(k + 1) % size];
-      if(squared_distance(points_[k], last, beside[k]) >= most * most &&
-         squared_distance(points_[k], beside[k], next) >= most * most)
+      if(squared_distance_to_segment(points_[k], last, beside[k]) >= most * most &&
+         squared_distance_to_segment(points_[k], beside[k], next) >= most * most)
         return false;
     }
     return true;
@@ -149,21 +150,11 @@ private:
     return result;
   }
 
-  /// Squared distance of a place from the segment between two points.
-  static double squared_distance(const Vector3& place, const Vector3& from, const Vector3& to)
-  {
-    const Vector3 along = to - from, offset = place - from;
-    const double squared_length = along.squaredNorm();
-    const double t =
-      squared_length > 0 ? std::clamp(along.dot(offset) / squared_length, 0.0, 1.0) : 0;
-    return (offset - t * along).squaredNorm();
-  }
-
   /// Whether a place is nearer to the curve than `most`. \pre the curve was not shortened
   bool is_near(const Vector3& place, double most) const
   {
     for(std::size_t k = 0; k < size; ++k)
-      if(squared_distance(place, points_[k], points_[(k + 1) % size]) < most * most)
+      if(squared_distance_to_segment(place, points_[k], points_[(k + 1) % size]) < most * most)
         return true;
     return false;
   }
