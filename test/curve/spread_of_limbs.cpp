@@ -27,6 +27,8 @@ namespace {
 constexpr unsigned int seeds[] = {1, 2, 3};
 constexpr std::size_t length = 20; // number of vertices of a limb, at distance 1
 constexpr std::size_t enough = 12;
+constexpr double gap = 3;        // resolutions
+constexpr double resolution = 0.1;
 
 struct Limb
 {
@@ -42,6 +44,7 @@ Limb limb(std::size_t points, shapes::Random& random, const std::function<Vector
     Skeleton_graph::Vertex vertex;
     vertex.position = Vector3(static_cast<double>(v), 0, 0);
     vertex.open = 1;
+    vertex.resolution = resolution;
     result.graph.vertices.push_back(vertex);
     if(v > 0)
       result.graph.edges.emplace_back(v - 1, v);
@@ -57,7 +60,7 @@ Limb limb(std::size_t points, shapes::Random& random, const std::function<Vector
 /// The least and the largest radius.
 std::pair<double, double> radii(Limb limb)
 {
-  set_spreads(limb.graph, limb.surface, enough);
+  set_spreads(limb.graph, limb.surface, enough, gap);
   double least = limb.graph.vertices.front().radius, most = least;
   for(const Skeleton_graph::Vertex& vertex : limb.graph.vertices) {
     least = (std::min)(least, vertex.radius);
@@ -120,6 +123,20 @@ TEST_CASE("Radii of neighbours are alike though single points are not")
   }
 }
 
+TEST_CASE("What is apart from a limb does not count, however many points it has")
+{
+  shapes::Random random(seeds[0]);
+  Limb tube = limb(1, random, [] { return Vector3(0, 0.3, 0); });
+  for(std::size_t v = 0; v < length; v += 2)
+    tube.surface[v].assign(10 * enough, tube.graph.vertices[v].position + Vector3(0, 0, 5));
+  const auto [least, most] = radii(tube);
+  CHECK(least == Approx(0.3));
+  CHECK(most == Approx(0.3));
+  for(auto& vertex : tube.graph.vertices) // then there is no gap
+    vertex.resolution = 5;
+  CHECK(radii(tube).first == Approx(5).epsilon(0.02)); // from slanting edges it is less
+}
+
 TEST_CASE("Only open limbs have a spread, and only where there are points")
 {
   shapes::Random random(seeds[0]);
@@ -133,7 +150,7 @@ TEST_CASE("Only open limbs have a spread, and only where there are points")
   CHECK(radii(empty) == std::make_pair(before, before));
   for(std::size_t v = 0; v < length; v += 2)
     closed.graph.vertices[v].open = 0;
-  set_spreads(closed.graph, closed.surface, enough);
+  set_spreads(closed.graph, closed.surface, enough, gap);
   for(std::size_t v = 0; v < length; ++v)
     CHECK(closed.graph.vertices[v].radius == Approx(v % 2 == 0 ? before : 1));
 }

@@ -104,7 +104,8 @@ public:
       if(graph_.vertices[v].is_on_line) // what is scattered around a twig is no noise, but leaves
         shown[v] = points[v];
     constexpr double rings = 2; // around a limb: a single one is uneven
-    set_spreads(graph_, shown, static_cast<std::size_t>(rings * options_.least_points));
+    set_spreads(graph_, shown, static_cast<std::size_t>(rings * options_.least_points),
+                options_.thin_gap);
     if(noise_ > 0)
       correct_radii(points);
   }

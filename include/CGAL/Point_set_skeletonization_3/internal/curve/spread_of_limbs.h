@@ -40,16 +40,29 @@ distances_from_curve(const Skeleton_graph& graph, const std::vector<std::vector<
   return result;
 }
 
+/// Sorts distances, and drops those behind the first gap: of what is apart from the limb.
+/// O(n log n).
+inline void drop_behind_gap(std::vector<double>& distances, double gap)
+{
+  std::sort(distances.begin(), distances.end());
+  const auto before = std::adjacent_find(distances.begin(), distances.end(),
+                                         [gap](double a, double b) { return b - a > gap; });
+  if(before != distances.end())
+    distances.erase(before + 1, distances.end());
+}
+
 /// Sets the radius of each vertex of an open limb to the spread of its points around the curve: as
 /// many are nearer as within the standard deviation of a normal distribution around a line. That is
-/// the radius of a tube, that of a twig in noise, and about two thirds of half the width of a leaf;
-/// a few points of what has no limb do not count. The other side of the limb was not seen, so the
-/// distance to the nearest patch tells nothing. A vertex with few points shares those of the
-/// vertices around, or radii would vary from one to the next by half. O(n) in practice.
+/// the radius of a tube, that of a twig in noise, and about two thirds of half the width of a leaf.
+/// What is apart from the limb, as a twig that has no curve of its own, does not count. The other
+/// side of the limb was not seen, so the distance to the nearest patch tells nothing. A vertex
+/// shares the points of those next to it and, if these are few, of more around, or radii would vary
+/// from one to the next by half. O(n log n) in practice.
 /// \param surface `surface[v]` are the surface points of vertex v
 /// \param enough so many points tell a spread
+/// \param gap resolutions; points of a limb are not further apart
 inline void set_spreads(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
-                        std::size_t enough)
+                        std::size_t enough, double gap)
 {
   const double within = 1 - std::exp(-1.0); // of a normal distribution in two dimensions
   constexpr std::size_t nobody = (std::numeric_limits<std::size_t>::max)();
@@ -65,7 +78,8 @@ inline void set_spreads(Skeleton_graph& graph, const std::vector<std::vector<Vec
     while(!front.empty()) {
       for(std::size_t w : front)
         shared.insert(shared.end(), distances[w].begin(), distances[w].end());
-      if(shared.size() >= enough)
+      drop_behind_gap(shared, gap * graph.vertices[v].resolution);
+      if(front.front() != v && shared.size() >= enough) // those next to it tell what is apart
         break;
       std::vector<std::size_t> next;
       for(std::size_t w : front)
