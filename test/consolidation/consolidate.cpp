@@ -183,6 +183,59 @@ TEST_CASE("A tube is hidden by noise as wide, not by noise of a quarter of its r
   }
 }
 
+TEST_CASE("A lattice of thin tubes is no noise, one of lines in as much noise is")
+{
+  // From afar both are a plane with noise, from nearby both show neither planes nor lines.
+  constexpr int meshes = 4, points_of_edge = 60;
+  constexpr double radius = 0.12; // 1.2 spacings
+  const bool is_noisy = GENERATE(false, true);
+  for(unsigned seed = 0; seed < seeds; ++seed) {
+    CAPTURE(seed, is_noisy);
+    Random random(seed);
+    Gaussians lattice;
+    for(int axis = 0; axis < 2; ++axis)
+      for(int wire = 0; wire <= meshes; ++wire)
+        for(int k = 0; k < meshes * points_of_edge; ++k) {
+          const double angle = random.uniform(0, 2 * CGAL_PI);
+          const double across = is_noisy ? std::sqrt(0.5) * random.normal() : std::cos(angle),
+                       up = is_noisy ? std::sqrt(0.5) * random.normal() : std::sin(angle);
+          Vector3 p(0, 0, radius * up);
+          p[axis] = random.uniform(0, meshes);
+          p[1 - axis] = wire + radius * across;
+          lattice.push_back({1, p, Matrix3::Zero()});
+        }
+    CHECK((consolidated(lattice).noise > 0.9) == is_noisy);
+    if(!is_noisy)
+      CHECK(consolidated(lattice).noise == 0);
+  }
+}
+
+TEST_CASE("Hardly a component is in the middle of a tube, many are in that of noise")
+{
+  constexpr std::size_t size = 2000;
+  const double of_noise = std::sqrt(std::log(0.9) / std::log(0.5)); // Rayleigh distribution
+  for(unsigned seed = 0; seed < seeds; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const auto shortest_of = [](const std::function<Vector3()>& draw) {
+      std::vector<Local_shape> along_x(size); // their axis is that by default
+      std::vector<Vector3> ways;
+      for(std::size_t i = 0; i < size; ++i)
+        ways.push_back(draw());
+      return shortest_across(along_x, ways, Noise_options());
+    };
+    const auto on_circle = [&] {
+      const double angle = random.uniform(0, 2 * CGAL_PI);
+      return Vector3(random.normal(), std::cos(angle), std::sin(angle));
+    };
+    CHECK(shortest_of(on_circle) == Approx(1));
+    CHECK(shortest_of([&] { return random.normal_vector(); }) == Approx(of_noise).margin(0.05));
+    CHECK(shortest_of([&] { return Vector3(random.normal(), 0, random.normal()); }) <
+          0.6 * of_noise);
+    CHECK(shortest_of([] { return Vector3(1, 0, 0); }) == 0);
+  }
+}
+
 TEST_CASE("A twig drowned in noise becomes thin and does not gather in lumps")
 {
   constexpr double sigma = 0.01;

@@ -109,13 +109,18 @@ public:
       is_on_line_(mixture.size(), false)
   {}
 
-  /// Measures the noise; there is none in a cloud of lines. Returns the radius of the window that
-  /// it needs; 0 if there is none, or if the narrowest window does.
-  double measure()
+  /// Measures the noise; there is none in a cloud of lines. `is_averaged` says that the components
+  /// are means of noisy ones. Returns the radius of the window that it needs; 0 if there is none, or
+  /// if the narrowest window does.
+  double measure(bool is_averaged = false)
   {
     space_.emplace(initial_scale_space());
     noise_ = measure_noise(*space_, moving_, nearest_, radii_, options_.noise, concurrency_);
-    if(is_of_lines_) { // what looks like noise is the distance of twigs
+    const auto are_tubes = [&] { // means on both sides of a sheet look so, too
+      return noise_.strength > 0 && !is_averaged &&
+             are_limbs_hollow(*space_, moving_, nearest_, options_.noise, concurrency_);
+    };
+    if(is_of_lines_ || are_tubes()) { // what looks like noise is the distance of twigs or walls
       noise_.strength = 0;
       noise_.size = 0;
     }
@@ -480,7 +485,8 @@ inline Consolidated_mixture consolidate(const Gaussians& mixture, double cell_si
   }
   const Merged_gaussians merged = merged_by_cell(mixture, coarser);
   Consolidation coarse(merged.gaussians, options, concurrency);
-  coarse.measure();
+  constexpr bool is_averaged = true;
+  coarse.measure(is_averaged);
   Consolidated_mixture result = coarse.run(coarser);
   std::vector<std::size_t> merged_into;
   for(std::size_t i : merged.merged_into)

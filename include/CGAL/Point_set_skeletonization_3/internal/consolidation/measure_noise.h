@@ -110,27 +110,67 @@ inline double scale_of_normal(const std::vector<double>& values)
                    quantile(values, 0.25) * (half / quarter), quantile(values, 0.5)});
 }
 
-/// Returns the distance of each component from the surface through its neighbours, in radii of the
-/// narrowest window. On a curved surface all components have the same offset from their fitted
-/// planes; only the difference to that of the neighbours is noise. O(n).
-inline std::vector<double> scatters(const std::vector<Local_shape>& narrowest,
-                                    const Moving_mixture& moving,
-                                    const K_nearest_neighbors& nearest, double radius,
-                                    Concurrency concurrency)
+/// Returns the way from each component to the middle of its window, less the mean of that of its
+/// neighbours. On a curved surface all components are as far off the middle; only the difference to
+/// the neighbours is noise. O(n).
+inline std::vector<Vector3> ways_to_middle(const std::vector<Local_shape>& shapes,
+                                           const Moving_mixture& moving,
+                                           const K_nearest_neighbors& nearest,
+                                           Concurrency concurrency)
 {
-  std::vector<Vector3> offset;
-  for(std::size_t i = 0; i < narrowest.size(); ++i)
-    offset.push_back(narrowest[i].mean - moving.positions[i]);
-  std::vector<double> off(narrowest.size());
-  parallel_for(concurrency, off.size(), [&](std::size_t i) {
+  std::vector<Vector3> way;
+  for(std::size_t i = 0; i < shapes.size(); ++i)
+    way.push_back(shapes[i].mean - moving.positions[i]);
+  std::vector<Vector3> result(shapes.size());
+  parallel_for(concurrency, result.size(), [&](std::size_t i) {
     constexpr std::size_t neighbors = 9; // the component itself and a ring around it
     const std::size_t size = (std::min)(neighbors, nearest.k());
     Vector3 mean = Vector3::Zero();
     for(std::size_t k = 0; k < size; ++k)
-      mean += offset[nearest[i][static_cast<std::ptrdiff_t>(k)].index] / static_cast<double>(size);
-    off[i] = std::abs(narrowest[i].normal.dot(offset[i] - mean)) / radius;
+      mean += way[nearest[i][static_cast<std::ptrdiff_t>(k)].index] / static_cast<double>(size);
+    result[i] = way[i] - mean;
   });
-  return off;
+  return result;
+}
+
+/// Returns the distance of each component from the surface through its neighbours, in radii of its
+/// window. O(n).
+inline std::vector<double> scatters(const std::vector<Local_shape>& shapes,
+                                    const std::vector<Vector3>& ways)
+{
+  std::vector<double> result;
+  for(std::size_t i = 0; i < shapes.size(); ++i)
+    result.push_back(std::abs(shapes[i].normal.dot(ways[i])) / shapes[i].radius);
+  return result;
+}
+
+/// Returns the shortest tenth of the distances of components from the middle across their limbs, in
+/// medians; 0 if all are in the middle. Windows that show a line do not count. O(n).
+inline double shortest_across(const std::vector<Local_shape>& shapes,
+                              const std::vector<Vector3>& ways, const Noise_options& options)
+{
+  std::vector<double> across; // not along a limb, where sampling is uneven
+  for(std::size_t i = 0; i < shapes.size(); ++i)
+    if(shapes[i].linearity < options.line)
+      across.push_back((ways[i] - shapes[i].axis.dot(ways[i]) * shapes[i].axis).norm());
+  const double median = across.empty() ? 0 : quantile(across, 0.5);
+  return median > 0 ? quantile(std::move(across), 0.1) / median : 0;
+}
+
+/// Whether nothing is in the middle of limbs as thin as a window: they look as noisy as a line in
+/// noise, or as a plane in noise if they are a frame in a plane, but their points are on circles.
+/// Noise is densest in the middle, across a limb and across a sheet. The border is between a normal
+/// distribution in two dimensions and a disc that is filled evenly. O(n log n).
+/// \pre nothing has moved or was averaged yet
+inline bool are_limbs_hollow(Scale_space& space, const Moving_mixture& moving,
+                             const K_nearest_neighbors& nearest, const Noise_options& options,
+                             Concurrency concurrency)
+{
+  constexpr std::size_t size = 1; // just wider than a limb without planes in the narrowest window
+  const double of_noise = std::sqrt(std::log(0.9) / std::log(0.5)), of_disc = std::sqrt(0.1 / 0.5);
+  const std::vector<Local_shape> shapes = local_shapes(space, moving, size, 1, concurrency);
+  return shortest_across(shapes, ways_to_middle(shapes, moving, nearest, concurrency), options) >
+         (of_noise + of_disc) / 2;
 }
 
 /// Returns the median scatter where the narrowest windows are flattest. O(n).
@@ -219,7 +259,8 @@ inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
     if(size == 0) {
       for(const Local_shape& shape : shapes)
         result.densities.push_back(shape.density);
-      const std::vector<double> off = scatters(shapes, moving, nearest, radii[0], concurrency);
+      const std::vector<double> off =
+        scatters(shapes, ways_to_middle(shapes, moving, nearest, concurrency));
       result.strength = apparent_noise(off, sphericity, options) *
                         credibility(off, shapes, every, options);
     }
