@@ -252,6 +252,31 @@ TEST_CASE("A net of wires has its loops, though the wires look like the rows of 
   }
 }
 
+TEST_CASE("A net of tubes as thin as their spacing is no noise around a plane")
+{
+  // There was no curve at all while the tubes were taken for noise.
+  constexpr int meshes = 4, points_of_edge = 60;
+  constexpr double radius = 0.12; // 1.2 spacings
+  for(const unsigned int seed : seeds) {
+    CAPTURE(seed);
+    shapes::Random random(seed);
+    std::vector<Vector> points;
+    for(int axis = 0; axis < 2; ++axis)
+      for(int tube = 0; tube <= meshes; ++tube)
+        for(int k = 0; k < meshes * points_of_edge; ++k) {
+          const double angle = random.uniform(0, 2 * shapes::pi);
+          Vector p(0, 0, radius * std::sin(angle));
+          p[axis] = random.uniform(0, meshes);
+          p[1 - axis] = tube + radius * std::cos(angle);
+          points.push_back(p);
+        }
+    const Graph_counts counts = counts_of(points);
+    CHECK(counts.components == 1);
+    CHECK(counts.cycles <= meshes * meshes);
+    CHECK(2 * counts.cycles > meshes * meshes); // not all of them yet: 11 to 16
+  }
+}
+
 TEST_CASE("In a frame, hardly anything that was not seen from all sides is on no loop")
 {
   using CGAL::Point_set_skeletonization_3::internal::is_frame;

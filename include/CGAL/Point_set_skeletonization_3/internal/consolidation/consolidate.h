@@ -109,9 +109,9 @@ public:
       is_on_line_(mixture.size(), false)
   {}
 
-  /// Measures the noise; there is none in a cloud of lines. `is_averaged` says that the components
-  /// are means of noisy ones. Returns the radius of the window that it needs; 0 if there is none, or
-  /// if the narrowest window does.
+  /// Measures the noise; there is none in a cloud of lines. Returns the radius of the window that
+  /// it needs; 0 if there is none, or if the narrowest window does.
+  /// \param is_averaged whether the components are means of noisy ones
   double measure(bool is_averaged = false)
   {
     space_.emplace(initial_scale_space());

@@ -36,22 +36,24 @@ struct Border_link
   }
 };
 
-/// The border of two regions.
-class Border
+/// The overlap of each patch along a border with whichever on the other side overlaps most.
+class Best_overlaps
 {
 public:
-  /// The border of a single link.
-  explicit Border(const Border_link& link)
+  /// Of no patch.
+  Best_overlaps() = default;
+
+  /// Of the patches of a link.
+  explicit Best_overlaps(const Border_link& link)
+    : best_{{link.patch_a, link.overlap}, {link.patch_b, link.overlap}}
   {
-    if(link.is_measured) {
-      best_ = {{link.patch_a, link.overlap}, {link.patch_b, link.overlap}};
-      std::sort(best_.begin(), best_.end());
-    } else
-      guess_ = link.overlap;
+    std::sort(best_.begin(), best_.end());
   }
 
-  /// Adds another part of the border. O(patches of both).
-  void add(const Border& other)
+  bool empty() const { return best_.empty(); }
+
+  /// Adds those along another part of the border. O(patches of both).
+  void add(const Best_overlaps& other)
   {
     std::vector<Best> all;
     all.reserve(best_.size() + other.best_.size());
@@ -63,17 +65,21 @@ public:
         best_.back().second = next.second;
       else
         best_.push_back(next);
-    guess_ = (std::max)(guess_, other.guess_);
-    links_ += other.links_;
   }
 
-  /// How much the regions may overlap along it, in [0, 1]: the mean over its patches of the overlap
-  /// with whichever on the other side overlaps most, and its standard error, since borders of thin
-  /// limbs have few patches. If none is measured, the best guess. O(patches).
-  double overlap() const
+  /// The greatest. O(patches). \pre there is one
+  double greatest() const
   {
-    if(!is_measured())
-      return guess_;
+    double result = 0;
+    for(const Best& best : best_)
+      result = (std::max)(result, best.second);
+    return result;
+  }
+
+  /// The mean and its standard error, since borders of thin limbs have few patches; at most 1.
+  /// O(patches). \pre there is one
+  double mean_and_error() const
+  {
     const double number = static_cast<double>(best_.size());
     double sum = 0, squares = 0;
     for(const Best& best : best_) {
@@ -84,25 +90,52 @@ public:
     return (std::min)(1.0, mean + std::sqrt(variance / number));
   }
 
-  /// Whether a link is measured.
-  bool is_measured() const { return !best_.empty(); }
+private:
+  using Best = std::pair<std::size_t, double>; ///< A patch and its greatest overlap.
+
+  std::vector<Best> best_; ///< By patch.
+};
+
+/// The border of two regions.
+class Border
+{
+public:
+  /// The border of a single link.
+  explicit Border(const Border_link& link)
+    : all_(link), measured_(link.is_measured ? Best_overlaps(link) : Best_overlaps())
+  {}
+
+  /// Adds another part of the border. O(patches of both).
+  void add(const Border& other)
+  {
+    all_.add(other.all_);
+    measured_.add(other.measured_);
+    links_ += other.links_;
+  }
+
+  /// How much the regions may overlap along it by what is measured, in [0, 1]. O(patches).
+  double measured_overlap() const { return measured_.empty() ? 0 : measured_.mean_and_error(); }
+
+  /// The same, guesses included: around a joint of limbs hardly wider than their spacing one pair of
+  /// fifty may be measured, and wrong. If none is measured, the best guess. O(patches).
+  double guessed_overlap() const
+  {
+    return measured_.empty() ? all_.greatest() : all_.mean_and_error();
+  }
 
   /// The number of links: it grows whenever a part is added.
   std::size_t links() const { return links_; }
 
 private:
-  using Best = std::pair<std::size_t, double>; ///< A patch and its greatest overlap.
-
-  std::vector<Best> best_; ///< Of measured links, by patch.
-  double guess_ = 0; ///< The greatest overlap of the others.
+  Best_overlaps all_, measured_;
   std::size_t links_ = 1;
 };
 
 /// Merges regions across borders along which they overlap, those first that overlap most, until
 /// none overlaps enough: agglomerative merging of a region adjacency graph by the mean strength of
 /// borders, as in image segmentation (Arbelaez, Boundary extraction in natural images using
-/// ultrametric contour maps, 2006). Borders without a measured link come last; there a guess is
-/// enough.
+/// ultrametric contour maps, 2006). Borders that do not overlap enough by what is measured come last;
+/// there guesses count as well.
 ///
 /// The border as a whole decides, not its strongest link: where two limbs touch, normals are
 /// unreliable, and a few of many pairs across the contact always look like one limb.
@@ -128,7 +161,7 @@ public:
   void run()
   {
     while(!queue_.empty()) {
-      const auto [is_measured, overlap, a, b, links] = queue_.top();
+      const auto [is_certain, overlap, a, b, links] = queue_.top();
       queue_.pop();
       if(!is_merged_[a] && !is_merged_[b] && borders_[neighbors_[a].at(b)].links() == links)
         neighbors_[a].size() < neighbors_[b].size() ? merge(a, b) : merge(b, a);
@@ -136,7 +169,8 @@ public:
   }
 
 private:
-  /// Whether a border is measured, its overlap and regions, and its links when that was computed.
+  /// Whether it is measured that a border overlaps enough, its overlap and regions, and its links
+  /// when that was computed.
   using Waiting = std::tuple<bool, double, std::size_t, std::size_t, std::size_t>;
 
   void add(std::size_t a, std::size_t b, const Border& part)
@@ -153,9 +187,11 @@ private:
 
   void wait(std::size_t a, std::size_t b, const Border& border)
   {
-    const double overlap = border.overlap();
+    const double measured = border.measured_overlap();
+    const bool is_certain = measured >= least_overlap_;
+    const double overlap = is_certain ? measured : border.guessed_overlap();
     if(overlap >= least_overlap_)
-      queue_.emplace(border.is_measured(), overlap, a, b, border.links());
+      queue_.emplace(is_certain, overlap, a, b, border.links());
   }
 
   /// Region `a` becomes part of its neighbour `b`.
@@ -182,7 +218,7 @@ private:
   std::vector<Border> borders_;
   std::vector<bool> is_merged_; ///< Whether a region has become part of another.
   double least_overlap_;
-  std::priority_queue<Waiting> queue_; ///< What is measured first, then the greatest overlap.
+  std::priority_queue<Waiting> queue_; ///< What is certain first, then the greatest overlap.
 };
 
 } // namespace internal
