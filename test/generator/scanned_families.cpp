@@ -21,6 +21,7 @@ const Families& scanned()
       {"crown_in_leaf", crown_in_leaf},
       {"leafy_plant", leafy_plant},
       {"tree", tree},
+      {"tube_frame", tube_frame},
       {"wire_frame", wire_frame},
   };
   return families;

@@ -11,15 +11,16 @@
 #include <cstddef>
 #include <vector>
 
-/// Shapes of wire, which is so thin that a scan of it is a line of points.
+/// Frames of wire, which is so thin that a scan of it is a line of points, and of tubes.
 namespace shapes {
 namespace families {
 
-/// A cage: rings above each other, with wires from ring to ring.
-inline Known_shape wire_frame(Random& random)
+/// A cage: rings above each other, with limbs from ring to ring, all of one radius.
+inline Known_shape cage(Random& random, double least_radius, double most_radius)
 {
   const int rings = random.in_turn(2, 3), columns = random.integer(3, 5);
-  const double radius = random.uniform(0.004, 0.007), height = random.uniform(0.5, 0.7);
+  const double radius = random.uniform(least_radius, most_radius),
+               height = random.uniform(0.5, 0.7);
   std::vector<Limb> corners;
   for(int level = 0; level < rings; ++level) {
     const double width = random.uniform(0.6, 1), phase = random.uniform(-0.05, 0.05);
@@ -42,6 +43,18 @@ inline Known_shape wire_frame(Random& random)
   const std::size_t n = static_cast<std::size_t>(columns);
   set_counts(shape, 1, n * static_cast<std::size_t>(rings - 1) + 1, 0);
   return shape;
+}
+
+/// A cage of wire.
+inline Known_shape wire_frame(Random& random)
+{
+  return cage(random, 0.004, 0.007);
+}
+
+/// A cage of tubes: of 1000 to 4000 points, their radius is about the distance of these.
+inline Known_shape tube_frame(Random& random)
+{
+  return cage(random, 0.05, 0.08);
 }
 
 } // namespace families
