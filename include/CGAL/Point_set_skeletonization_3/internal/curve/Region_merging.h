@@ -134,8 +134,8 @@ private:
 /// Merges regions across borders along which they overlap, those first that overlap most, until
 /// none overlaps enough: agglomerative merging of a region adjacency graph by the mean strength of
 /// borders, as in image segmentation (Arbelaez, Boundary extraction in natural images using
-/// ultrametric contour maps, 2006). Borders that do not overlap enough by what is measured come last;
-/// there guesses count as well.
+/// ultrametric contour maps, 2006). Borders that do not overlap enough by what is measured come
+/// last; there guesses count as well.
 ///
 /// The border as a whole decides, not its strongest link: where two limbs touch, normals are
 /// unreliable, and a few of many pairs across the contact always look like one limb.
