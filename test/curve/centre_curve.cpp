@@ -207,39 +207,56 @@ TEST_CASE("Too few points are no cross-section")
   CHECK(cross_section({{0, 0}, {0, 0}, {0, 0}}).center.isZero());
 }
 
-TEST_CASE("Points on half of a circle tell where its centre is")
+TEST_CASE("Points on half of a tube tell where its axis is, though the curve is crooked")
 {
+  const Eigen::Vector2d centre(3, -1);
   for(const unsigned int seed : seeds) {
     CAPTURE(seed);
     shapes::Random random(seed);
-    const auto noisy_arc = [&random](double degrees, double noise, int size) {
-      std::vector<Eigen::Vector2d> points;
-      for(int i = 0; i < size; ++i) {
-        const double angle = random.uniform(0, degrees * CGAL_PI / 180);
-        points.push_back(Eigen::Vector2d(3, -1) + (2 + noise * random.normal()) *
-                                                    Eigen::Vector2d(std::cos(angle),
-                                                                    std::sin(angle)));
+    // A tube of radius 2 whose axis leaves the curve in some direction by some degrees.
+    const auto noisy_arc = [&](double seen, double noise, int size, double degrees = 0) {
+      const double tilt = degrees * CGAL_PI / 180, direction = random.uniform(0, 2 * CGAL_PI);
+      const Vector3 axis(std::sin(tilt) * std::cos(direction),
+                         std::sin(tilt) * std::sin(direction), std::cos(tilt));
+      const Vector3 e1 = axis.unitOrthogonal(), e2 = axis.cross(e1);
+      Slab points;
+      while(points.across.size() < static_cast<std::size_t>(size)) {
+        const double angle = random.uniform(0, seen * CGAL_PI / 180);
+        const Vector3 p = Vector3(centre.x(), centre.y(), 0) + random.uniform(-3, 3) * axis +
+                          (2 + noise * random.normal()) *
+                            (std::cos(angle) * e1 + std::sin(angle) * e2);
+        if(std::abs(p.z()) > 0.6)
+          continue;
+        points.across.emplace_back(p.head<2>());
+        points.along.push_back(p.z());
       }
       return points;
     };
-    const Round_section half = round_section(noisy_arc(175, 0.02, 60));
-    CHECK(half.share == 1);
-    CHECK((half.circle.center - Eigen::Vector2d(3, -1)).norm() < 0.1);
-    CHECK(half.circle.radius == Approx(2).epsilon(0.05));
-    CHECK(round_section(noisy_arc(100, 0.02, 60)).share == 0); // as a folded leaf
-    CHECK(round_section(noisy_arc(175, 0.3, 60)).share == 0);  // scattered
-    CHECK(round_section(noisy_arc(360, 0.02, 60)).share == 0); // seen from all sides
+    for(const double degrees : {0, 15, 30}) {
+      CAPTURE(degrees);
+      const Round_section half = round_section(noisy_arc(175, 0.02, 60, degrees));
+      CHECK(half.share == 1);
+      CHECK((half.circle.center - centre).norm() < 0.1);
+      CHECK(half.circle.radius == Approx(2).epsilon(0.05));
+    }
+    CHECK(round_section(noisy_arc(175, 0.02, 60, 50)).share == 0); // not along the curve
+    CHECK(round_section(noisy_arc(100, 0.02, 60)).share == 0);     // as a folded leaf
+    CHECK(round_section(noisy_arc(175, 0.3, 60)).share == 0);      // scattered
+    CHECK(round_section(noisy_arc(360, 0.02, 60)).share == 0);     // seen from all sides
     CHECK(round_section(noisy_arc(175, 0.02, 11)).share == 0);
-    std::vector<Eigen::Vector2d> strip, line;
+    Slab strip, line;
     for(int i = 0; i < 60; ++i) {
-      line.emplace_back(i, 2 * i);
-      strip.emplace_back(i, 0.1 * random.normal());
+      line.across.emplace_back(i, 2 * i);
+      strip.across.emplace_back(i, 0.1 * random.normal());
+      line.along.push_back(random.uniform(-9, 9));
+      strip.along.push_back(random.uniform(-9, 9));
     }
     CHECK(round_section(line).share == 0);
     CHECK(round_section(strip).share == 0);
   }
   CHECK(round_section({}).share == 0);
-  CHECK(round_section(std::vector<Eigen::Vector2d>(20, {1, 1})).share == 0);
+  CHECK(round_section({std::vector<Eigen::Vector2d>(20, {1, 1}), std::vector<double>(20, 1)})
+          .share == 0);
 }
 
 TEST_CASE("In a noisy tube the curve becomes straight and goes to the axis")

@@ -164,7 +164,8 @@ private:
     const auto in_space = [&](const Eigen::Vector2d& p) -> Vector3 {
       return vertex.position + p.x() * e1 + p.y() * e2;
     };
-    const std::vector<Eigen::Vector2d> points = cut(v, piece, e1, e2, radius);
+    const Slab slab = cut(v, piece, e1, e2, radius);
+    const std::vector<Eigen::Vector2d>& points = slab.across;
     const Cross_section section = cross_section(points);
     // With a gap of 180 degrees the centroid is inaccurate, but better than none; it is not used
     // with a gap of 240 degrees.
@@ -177,7 +178,7 @@ private:
       return {vertex.position, in_space(section.center), weight, area_radius, true};
     if(points.empty() || !is_open(vertex))
       return not_drawn(v, radius);
-    const Round_section round = round_section(points);
+    const Round_section round = round_section(slab);
     if(vertex.is_on_line && round.share == 0)
       return not_drawn(v, radius);
     const Eigen::Vector2d median =
@@ -278,10 +279,10 @@ private:
     return result;
   }
 
-  /// The surface points near the plane at a vertex spanned by `e1` and `e2`, moved along the branch
-  /// into this plane.
-  std::vector<Eigen::Vector2d> cut(std::size_t v, const Piece& piece, const Vector3& e1,
-                                   const Vector3& e2, double radius) const
+  /// The surface points near the plane at a vertex spanned by `e1` and `e2`, moved across as far as
+  /// the branch bends.
+  Slab cut(std::size_t v, const Piece& piece, const Vector3& e1, const Vector3& e2,
+           double radius) const
   {
     // Wide enough for a dozen points around a thin limb, narrow enough for varying thickness.
     const double half_width =
@@ -292,7 +293,7 @@ private:
     constexpr double reach = 2; // radii
     constexpr double slope = 0.5;
     double widest = 0;
-    std::vector<Eigen::Vector2d> result;
+    Slab result;
     visit_around(v, [&](std::size_t u, double way) {
       const double least_width = way > half_width + reach * radius ? (way - half_width) / slope : 0;
       for(const Vector3& p : surface_[u]) {
@@ -306,7 +307,8 @@ private:
         widest = (std::max)(widest, width);
         const double t = (std::min)(1.0, std::abs(z) / piece.half_chord);
         d -= t * t * piece.sag;
-        result.emplace_back(e1.dot(d), e2.dot(d));
+        result.across.emplace_back(e1.dot(d), e2.dot(d));
+        result.along.push_back(z);
       }
       return least_width <= widest;
     });
