@@ -61,9 +61,9 @@ struct Slab
 };
 
 /// Returns the slope of the axis of the cylinder that the points of a slab are on: how far it moves
-/// across per length along the curve; 0 if that is unknown. As a circle is fitted to points q, with
-/// the distance z along the curve: (q - z slope - c)^2 = radius^2 is linear in the slope, c and what
-/// they are multiplied with, but for what is of second order in the slope. O(n).
+/// across per length along the curve; 0 if that is unknown. For points q at a distance z along the
+/// curve, (q - z slope - c)^2 = radius^2 is linear in the slope, in c, in their product and in what
+/// is left, but for the square of the slope. As `fitted_circle()`, linear least squares. O(n).
 inline Eigen::Vector2d fitted_slope(const Slab& points)
 {
   constexpr Eigen::Index unknowns = 6;
@@ -93,17 +93,17 @@ inline Eigen::Vector2d fitted_slope(const Slab& points)
 /// A round cross-section of a limb that was seen from one side.
 struct Round_section
 {
-  Circle circle; ///< Around the axis of the limb, where that meets the plane of the curve.
+  Circle circle;    ///< Around the axis of the limb, where that meets the plane of the curve.
   double share = 0; ///< How much it counts beside its points, in [0, 1].
 };
 
 /// Returns the circle across a cylinder that the points of a slab are on. A curve that is not
 /// centred yet is crooked, and a section across it is no circle. The circle counts wholly if 150
 /// degrees of it were seen or more: a scanner sees half of a round limb, less what it sees at a
-/// grazing angle. Not at all if less than 120 degrees were seen, since leaves are folded as much, or
-/// more than 240: that is not one side. Nor if the points are off it by more than a twentieth of its
-/// radius, as scattered ones are, if there are less than a dozen, or if the cylinder is not along
-/// the curve. O(n log n).
+/// grazing angle. Not at all if less than 120 degrees were seen, since leaves are folded as much,
+/// or more than 240: that is not one side. Nor if the points are off it by more than a twentieth of
+/// its radius, as scattered ones are, if there are less than a dozen, or if the cylinder is not
+/// along the curve. O(n log n).
 inline Round_section round_section(const Slab& points)
 {
   constexpr std::size_t fewest = 12;
@@ -120,8 +120,9 @@ inline Round_section round_section(const Slab& points)
   // Points move along the axis into the plane of the curve. In this, a circle across the axis is
   // longer along the slope.
   const double cosine = 1 / std::sqrt(1 + slope.squaredNorm());
-  const Eigen::Matrix2d shorten = Eigen::Matrix2d::Identity() -
-                                  cosine * cosine / (1 + cosine) * slope * slope.transpose();
+  const double shortened = cosine * cosine / (1 + cosine); // 1 - cosine, per square of the slope
+  const Eigen::Matrix2d shorten =
+    Eigen::Matrix2d::Identity() - shortened * slope * slope.transpose();
   std::vector<Eigen::Vector2d> straight;
   for(std::size_t i = 0; i < points.across.size(); ++i)
     straight.emplace_back(shorten * (points.across[i] - points.along[i] * slope));
