@@ -210,6 +210,7 @@ TEST_CASE("Too few points are no cross-section")
 TEST_CASE("Points on half of a tube tell where its axis is, though the curve is crooked")
 {
   const Eigen::Vector2d centre(3, -1);
+  const auto section = [](const Slab& points) { return round_section(points, options.aligned); };
   for(const unsigned int seed : seeds) {
     CAPTURE(seed);
     shapes::Random random(seed);
@@ -234,16 +235,16 @@ TEST_CASE("Points on half of a tube tell where its axis is, though the curve is 
     };
     for(const double degrees : {0, 15, 30}) {
       CAPTURE(degrees);
-      const Round_section half = round_section(noisy_arc(175, 0.02, 60, degrees));
+      const Round_section half = section(noisy_arc(175, 0.02, 60, degrees));
       CHECK(half.share == 1);
       CHECK((half.circle.center - centre).norm() < 0.1);
       CHECK(half.circle.radius == Approx(2).epsilon(0.05));
     }
-    CHECK(round_section(noisy_arc(175, 0.02, 60, 50)).share == 0); // not along the curve
-    CHECK(round_section(noisy_arc(100, 0.02, 60)).share == 0);     // as a folded leaf
-    CHECK(round_section(noisy_arc(175, 0.3, 60)).share == 0);      // scattered
-    CHECK(round_section(noisy_arc(360, 0.02, 60)).share == 0);     // seen from all sides
-    CHECK(round_section(noisy_arc(175, 0.02, 11)).share == 0);
+    CHECK(section(noisy_arc(175, 0.02, 60, 50)).share == 0); // not along the curve
+    CHECK(section(noisy_arc(100, 0.02, 60)).share == 0);     // as a folded leaf
+    CHECK(section(noisy_arc(175, 0.3, 60)).share == 0);      // scattered
+    CHECK(section(noisy_arc(360, 0.02, 60)).share == 0);     // seen from all sides
+    CHECK(section(noisy_arc(175, 0.02, 11)).share == 0);
     Slab strip, line;
     for(int i = 0; i < 60; ++i) {
       line.across.emplace_back(i, 2 * i);
@@ -251,11 +252,11 @@ TEST_CASE("Points on half of a tube tell where its axis is, though the curve is 
       line.along.push_back(random.uniform(-9, 9));
       strip.along.push_back(random.uniform(-9, 9));
     }
-    CHECK(round_section(line).share == 0);
-    CHECK(round_section(strip).share == 0);
+    CHECK(section(line).share == 0);
+    CHECK(section(strip).share == 0);
   }
-  CHECK(round_section({}).share == 0);
-  CHECK(round_section({std::vector<Eigen::Vector2d>(20, {1, 1}), std::vector<double>(20, 1)})
+  CHECK(section({}).share == 0);
+  CHECK(section({std::vector<Eigen::Vector2d>(20, {1, 1}), std::vector<double>(20, 1)})
           .share == 0);
 }
 

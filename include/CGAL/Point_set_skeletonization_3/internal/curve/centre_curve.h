@@ -178,7 +178,7 @@ private:
       return {vertex.position, in_space(section.center), weight, area_radius, true};
     if(points.empty() || !is_open(vertex))
       return not_drawn(v, radius);
-    const Round_section round = round_section(slab);
+    const Round_section round = round_section(slab, options_.aligned);
     if(vertex.is_on_line && round.share == 0)
       return not_drawn(v, radius);
     const Eigen::Vector2d median =

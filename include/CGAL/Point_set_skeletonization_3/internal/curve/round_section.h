@@ -102,24 +102,23 @@ struct Round_section
 /// degrees of it were seen or more: a scanner sees half of a round limb, less what it sees at a
 /// grazing angle. Not at all if less than 120 degrees were seen, since leaves are folded as much,
 /// or more than 240: that is not one side. Nor if the points are off it by more than a twentieth of
-/// its radius, as scattered ones are, if there are less than a dozen, or if the cylinder is not
-/// along the curve. O(n log n).
-inline Round_section round_section(const Slab& points)
+/// its radius, as scattered ones are, if there are less than a dozen, or if the cosine of the angle
+/// between the cylinder and the curve is less than `aligned`. O(n log n).
+inline Round_section round_section(const Slab& points, double aligned)
 {
   constexpr std::size_t fewest = 12;
-  constexpr double most_slope = 0.75; // 37 degrees, which limbs bend by at most
-  constexpr double most_off = 0.05;   // radii, root mean square
+  constexpr double most_off = 0.05; // radii, root mean square
   constexpr double least_seen = 2 * CGAL_PI / 3, half_seen = 5 * CGAL_PI / 6,
                    most_seen = 4 * CGAL_PI / 3;
   Round_section result;
   if(points.across.size() < fewest)
     return result;
   const Eigen::Vector2d slope = fitted_slope(points);
-  if(slope.norm() > most_slope)
+  const double cosine = 1 / std::sqrt(1 + slope.squaredNorm());
+  if(cosine < aligned)
     return result;
   // Points move along the axis into the plane of the curve. In this, a circle across the axis is
   // longer along the slope.
-  const double cosine = 1 / std::sqrt(1 + slope.squaredNorm());
   const double shortened = cosine * cosine / (1 + cosine); // 1 - cosine, per square of the slope
   const Eigen::Matrix2d shorten =
     Eigen::Matrix2d::Identity() - shortened * slope * slope.transpose();
