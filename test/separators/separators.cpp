@@ -7,6 +7,7 @@
 #include "surface_of.h"
 
 #include "catch2.h"
+#include "generator/Random.h"
 #include "threads.h"
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
@@ -18,6 +19,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/separators/bounds_solid.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/choose_separators.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/local_separators.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
@@ -75,6 +77,44 @@ Patches sheet(int length, int width,
         patch.neighbors.push_back(index[beside]);
     patches.push_back(patch);
   }
+  return patches;
+}
+
+// Patches of a square sheet at random places of the squares of a lattice, each adjacent to its
+// seven nearest and to those whose nearest it is.
+Patches irregular_sheet(int width, unsigned int seed)
+{
+  constexpr std::size_t nearest = 7;
+  shapes::Random random(seed);
+  Patches patches;
+  std::vector<Vector3> places;
+  for(int i = 0; i < width; ++i)
+    for(int j = 0; j < width; ++j) {
+      const double x = random.uniform(-0.5, 0.5), y = random.uniform(-0.5, 0.5);
+      Patch patch;
+      patch.mean = Vector3(i + x, j + y, 0);
+      patch.spacing = patch.weight = patch.area = patch.planarity = 1;
+      patches.push_back(patch);
+      places.push_back(patch.mean);
+    }
+  std::vector<std::set<std::size_t>> adjacent(patches.size());
+  const Box_tree tree(places);
+  for(std::size_t i = 0; i < patches.size(); ++i) {
+    std::vector<std::pair<double, std::size_t>> others;
+    tree.visit_within(places[i], 5, [&](std::size_t k, double) {
+      const std::size_t j = tree.order()[k];
+      if(j != i)
+        others.emplace_back((places[i] - places[j]).norm(), j);
+    });
+    std::sort(others.begin(), others.end());
+    others.resize(nearest);
+    for(const auto& other : others) {
+      adjacent[i].insert(other.second);
+      adjacent[other.second].insert(i);
+    }
+  }
+  for(std::size_t i = 0; i < patches.size(); ++i)
+    patches[i].neighbors.assign(adjacent[i].begin(), adjacent[i].end());
   return patches;
 }
 
@@ -359,6 +399,27 @@ TEST_CASE("A region that meets no limb has no separator")
   const Patch_graph graph = graph_of(patches);
   Growing_region region(patches, graph, samples, options);
   CHECK(region.grow_from(15 * 30 + 15).separator.patches.empty());
+}
+
+TEST_CASE("In a wide solid of irregular patches no front splits by chance")
+{
+  // Where a front has gaps: its patches are not all adjacent.
+  const unsigned int seed = GENERATE(1u, 2u, 3u);
+  CAPTURE(seed);
+  constexpr int width = 40, margin = 10; // the flattest limb is nine times as wide as thick
+  const Patches patches = irregular_sheet(width, seed);
+  Samples samples;
+  for(const Patch& patch : patches)
+    samples.push_back({patch.mean - Vector3(0, 0, 1), 1});
+  const Patch_graph graph = graph_of(patches);
+  Growing_region region(patches, graph, samples, options);
+  int split = 0, tried = 0;
+  for(int i = margin; i < width - margin; ++i)
+    for(int j = margin; j < width - margin; ++j, ++tried)
+      split += region.grow_from(static_cast<std::size_t>(i * width + j)).separator.patches.empty()
+                 ? 0
+                 : 1;
+  CHECK(100 * split < tried);
 }
 
 TEST_CASE("A separator of a sheet leads from border to border, however wide it is")

@@ -7,6 +7,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
+#include <CGAL/Point_set_skeletonization_3/internal/separators/Front_gaps.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Local_separator.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Separator_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
@@ -73,6 +74,7 @@ public:
       , front_(patches.size())
       , squared_distance_(patches.size() + 1)
       , found_(patches.size())
+      , gaps_(graph, patches.size())
       , label_(patches.size(), outside)
       , nearest_(patches.size())
   {
@@ -121,7 +123,7 @@ public:
       if(region_.size() == size)
         continue;
       size = region_.size();
-      const std::vector<Part> parts = connected_parts();
+      const std::vector<Front_part> parts = parts_without_gaps();
       is_in_one_piece = is_in_one_piece && parts.empty();
       if(splits(parts)) {
         result.separator = cut(parts);
@@ -151,7 +153,7 @@ public:
       add_neighbors_to_front(i);
     Local_separator result;
     for(int layer = 0; layer < layers; ++layer) {
-      const std::vector<Part> parts = connected_parts();
+      const std::vector<Front_part> parts = connected_parts();
       if(splits(parts)) {
         result = cut(parts);
         break;
@@ -183,13 +185,6 @@ public:
   static constexpr double same_patch = 0.7;
 
 private:
-  /// A connected component of the front.
-  struct Part
-  {
-    std::vector<std::size_t> patches;
-    double area = 0; ///< Patches may be of different size.
-  };
-
   /// The nearer of two parts of the front, 1 or 2, and its distance along the surface. The default
   /// is less than any other.
   struct Nearest
@@ -280,11 +275,24 @@ private:
     front_.shorten(0);
   }
 
+  /// The parts of the front, gaps closed, the largest first; none as from `connected_parts()`.
+  std::vector<Front_part> parts_without_gaps()
+  {
+    std::vector<Front_part> parts = connected_parts();
+    if(parts.empty())
+      return parts;
+    parts = gaps_.close(parts, front_, [this](std::size_t i) { return label_[i] == region; });
+    double others = 0;
+    for(std::size_t k = 1; k < parts.size(); ++k)
+      others += parts[k].area;
+    return others < options_.least_share * parts[0].area ? std::vector<Front_part>() : parts;
+  }
+
   /// The connected components of the front, the largest first; none if the others together are
   /// smaller than `least_share` of the largest. Linear in the front and its edges.
-  std::vector<Part> connected_parts()
+  std::vector<Front_part> connected_parts()
   {
-    std::vector<Part> parts;
+    std::vector<Front_part> parts;
     double enough = 0;
     for(std::size_t i : front_)
       enough += static_cast<double>(areas_[i]);
@@ -317,12 +325,12 @@ private:
     if(!splits)
       return {};
     std::stable_sort(parts.begin(), parts.end(),
-                     [](const Part& a, const Part& b) { return a.area > b.area; });
+                     [](const Front_part& a, const Front_part& b) { return a.area > b.area; });
     return parts;
   }
 
   /// Whether the limb continues from the region in exactly two directions.
-  bool splits(const std::vector<Part>& parts) const
+  bool splits(const std::vector<Front_part>& parts) const
   {
     const auto share = [&](std::size_t a, std::size_t b) {
       return parts[a].area / parts[b].area;
@@ -332,7 +340,7 @@ private:
   }
 
   /// The separator halfway between the first two parts: patches of one half adjacent to the other.
-  Local_separator cut(const std::vector<Part>& parts)
+  Local_separator cut(const std::vector<Front_part>& parts)
   {
     find_nearest(parts);
     const auto half = [&](std::size_t i) { return nearest_[i].part; };
@@ -373,7 +381,7 @@ private:
 
   /// Finds the nearer of the first two parts, along the surface, for each patch of the region and
   /// its front. Labels patches of neither part as `between`.
-  void find_nearest(const std::vector<Part>& parts)
+  void find_nearest(const std::vector<Front_part>& parts)
   {
     visit_all([&](std::size_t i) {
       label_[i] = between;
@@ -414,6 +422,7 @@ private:
   Patch_list front_;
   std::vector<double> squared_distance_; ///< From the centre to the front.
   Patch_list found_; ///< Scratch memory of `connected_parts()`.
+  Front_gaps gaps_;
 
   // Copies of what is read most often, contiguous for the cache.
   std::vector<Vector3> means_, positions_;

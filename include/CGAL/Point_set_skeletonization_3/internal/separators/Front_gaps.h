@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Point_set_skeletonization_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_FRONT_GAPS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_FRONT_GAPS_H
+
+#include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_skeletonization_3 {
+namespace internal {
+
+/// A connected component of the front of a region.
+struct Front_part
+{
+  std::vector<std::size_t> patches;
+  double area = 0; ///< Patches may be of different size.
+};
+
+/// Tells gaps of a front from the two sides of a limb.
+///
+/// A front surrounds its region, but of two patches that follow each other on it, many are not
+/// adjacent: of regions on an irregular flat sheet whose patches have seven neighbours, nearly all
+/// had a front in several parts, as if there were a limb. In a gap there is a short way from one
+/// patch to the other on both sides of the front. Where a region surrounds a limb, there is none
+/// outside but around a hole of the shape, and if that is short, the one inside is not.
+class Front_gaps
+{
+public:
+  /// Refers to the graph, of `n` patches. O(n).
+  Front_gaps(const Patch_graph& graph, std::size_t n)
+    : graph_(graph), part_(n, 0), source_(n, none), is_seen_(n, false)
+  {}
+
+  /// Returns the parts of a front with those joined that have only a gap between them, the largest
+  /// first. O(patches of the front).
+  /// \param front the patches of all parts; neighbours outside are reached from them in this order,
+  ///        which should not be that of the parts: from each a few at a gap
+  /// \param is_inside whether a patch is in the region
+  template <typename Front, typename IsInside>
+  std::vector<Front_part> close(const std::vector<Front_part>& parts, const Front& front,
+                                const IsInside& is_inside)
+  {
+    Union_find whole(parts.size());
+    const auto join = [&](std::uint32_t a, std::uint32_t b) {
+      if(whole.find(part_[a]) != whole.find(part_[b]) && is_short_inside(a, b, is_inside))
+        whole.join(part_[a], part_[b]);
+    };
+    for(std::size_t k = 0; k < parts.size(); ++k)
+      for(std::size_t i : parts[k].patches)
+        part_[i] = static_cast<std::uint32_t>(k);
+    for(std::uint32_t i : front)
+      reach(i, i);
+    std::size_t next = 0;
+    for(int layer = 0; layer <= layers_outside; ++layer)
+      for(const std::size_t end = reached_.size(); next < end; ++next) {
+        const std::uint32_t i = reached_[next];
+        for(const auto& edge : graph_[i])
+          if(source_[edge.patch] != none)
+            join(source_[i], source_[edge.patch]);
+          else if(layer < layers_outside && !is_inside(edge.patch))
+            reach(edge.patch, source_[i]);
+      }
+    for(std::uint32_t i : reached_)
+      source_[i] = none;
+    reached_.clear();
+    return united(parts, whole);
+  }
+
+private:
+  static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
+
+  // Patches on a way beside a gap; outside two layers, which are up to four. With fewer, many gaps
+  // of irregular patches stay open; with more, ways lead around the holes of thick handles.
+  static constexpr int layers_outside = 2;
+  static constexpr int most_inside = 3;
+
+  /// Adds a patch that is reached from one of the front.
+  void reach(std::uint32_t i, std::uint32_t source)
+  {
+    source_[i] = source;
+    reached_.push_back(i);
+  }
+
+  /// Whether there is a short way from `a` to `b` inside.
+  template <typename IsInside>
+  bool is_short_inside(std::uint32_t a, std::uint32_t b, const IsInside& is_inside)
+  {
+    seen_.assign(1, a);
+    bool is_found = false;
+    std::size_t next = 0;
+    for(int length = 0; length <= most_inside && !is_found; ++length)
+      for(const std::size_t end = seen_.size(); next < end && !is_found; ++next)
+        for(const auto& edge : graph_[seen_[next]]) {
+          is_found = is_found || edge.patch == b;
+          if(!is_seen_[edge.patch] && is_inside(edge.patch)) {
+            is_seen_[edge.patch] = true;
+            seen_.push_back(edge.patch);
+          }
+        }
+    for(std::uint32_t i : seen_)
+      is_seen_[i] = false;
+    return is_found;
+  }
+
+  /// The united parts, the largest first.
+  static std::vector<Front_part> united(const std::vector<Front_part>& parts, Union_find& whole)
+  {
+    std::vector<Front_part> result(parts.size());
+    for(std::size_t k = 0; k < parts.size(); ++k) {
+      Front_part& part = result[whole.find(k)];
+      part.area += parts[k].area;
+      part.patches.insert(part.patches.end(), parts[k].patches.begin(), parts[k].patches.end());
+    }
+    std::stable_sort(result.begin(), result.end(), [](const Front_part& a, const Front_part& b) {
+      return a.area > b.area;
+    });
+    while(result.back().patches.empty())
+      result.pop_back();
+    return result;
+  }
+
+  const Patch_graph& graph_;
+
+  // For each patch.
+  std::vector<std::uint32_t> part_;   ///< Of those on the front.
+  std::vector<std::uint32_t> source_; ///< On the front, from which it was reached, or `none`.
+  std::vector<bool> is_seen_;         ///< Inside, in `is_short_inside()`.
+
+  std::vector<std::uint32_t> reached_, seen_;
+};
+
+} // namespace internal
+} // namespace Point_set_skeletonization_3
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SEPARATORS_FRONT_GAPS_H
