@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -40,7 +41,7 @@ public:
   {}
 
   /// Returns the parts of a front with those joined that have only a gap between them, the largest
-  /// first. O(patches of the front).
+  /// first. O(k log k) for k patches of the front.
   /// \param front the patches of all parts; neighbours outside are reached from them in this order,
   ///        which should not be that of the parts: from each a few at a gap
   /// \param is_inside whether a patch is in the region
@@ -48,29 +49,19 @@ public:
   std::vector<Front_part> close(const std::vector<Front_part>& parts, const Front& front,
                                 const IsInside& is_inside)
   {
-    Union_find whole(parts.size());
-    const auto join = [&](std::uint32_t a, std::uint32_t b) {
-      if(whole.find(part_[a]) != whole.find(part_[b]) && is_short_inside(a, b, is_inside))
-        whole.join(part_[a], part_[b]);
-    };
     for(std::size_t k = 0; k < parts.size(); ++k)
       for(std::size_t i : parts[k].patches)
         part_[i] = static_cast<std::uint32_t>(k);
-    for(std::uint32_t i : front)
-      reach(i, i);
-    std::size_t next = 0;
-    for(int layer = 0; layer <= layers_outside; ++layer)
-      for(const std::size_t end = reached_.size(); next < end; ++next) {
-        const std::uint32_t i = reached_[next];
-        for(const auto& edge : graph_[i])
-          if(source_[edge.patch] != none)
-            join(source_[i], source_[edge.patch]);
-          else if(layer < layers_outside && !is_inside(edge.patch))
-            reach(edge.patch, source_[i]);
-      }
-    for(std::uint32_t i : reached_)
-      source_[i] = none;
-    reached_.clear();
+    find_short_outside(front, is_inside);
+    Union_find whole(parts.size());
+    for(std::size_t k = 0; k < pairs_.size(); ++k) {
+      const auto [a, b] = pairs_[k];
+      if(k == 0 || a != pairs_[k - 1].first)
+        spread_inside(a, is_inside);
+      if(whole.find(part_[a]) != whole.find(part_[b]) && is_beside_seen(b))
+        whole.join(part_[a], part_[b]);
+    }
+    forget_seen();
     return united(parts, whole);
   }
 
@@ -82,6 +73,35 @@ private:
   static constexpr int layers_outside = 2;
   static constexpr int most_inside = 3;
 
+  /// Finds pairs of patches of different parts with a short way outside.
+  template <typename Front, typename IsInside>
+  void find_short_outside(const Front& front, const IsInside& is_inside)
+  {
+    pairs_.clear();
+    for(std::uint32_t i : front)
+      reach(i, i);
+    std::size_t next = 0;
+    for(int layer = 0; layer <= layers_outside; ++layer)
+      for(const std::size_t end = reached_.size(); next < end; ++next) {
+        const std::uint32_t i = reached_[next], a = source_[i];
+        for(const auto& edge : graph_[i]) {
+          const std::uint32_t b = source_[edge.patch];
+          if(b == none) {
+            if(layer < layers_outside && !is_inside(edge.patch))
+              reach(edge.patch, a);
+          } else if(part_[a] < part_[b])
+            pairs_.emplace_back(a, b);
+          else if(part_[b] < part_[a])
+            pairs_.emplace_back(b, a);
+        }
+      }
+    for(std::uint32_t i : reached_)
+      source_[i] = none;
+    reached_.clear();
+    std::sort(pairs_.begin(), pairs_.end());
+    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+  }
+
   /// Adds a patch that is reached from one of the front.
   void reach(std::uint32_t i, std::uint32_t source)
   {
@@ -89,25 +109,35 @@ private:
     reached_.push_back(i);
   }
 
-  /// Whether there is a short way from `a` to `b` inside.
-  template <typename IsInside>
-  bool is_short_inside(std::uint32_t a, std::uint32_t b, const IsInside& is_inside)
+  /// Marks the patches inside, a short way from one of the front, as seen, and no others.
+  template <typename IsInside> void spread_inside(std::uint32_t a, const IsInside& is_inside)
   {
-    seen_.assign(1, a);
-    bool is_found = false;
-    std::size_t next = 0;
-    for(int length = 0; length <= most_inside && !is_found; ++length)
-      for(const std::size_t end = seen_.size(); next < end && !is_found; ++next)
-        for(const auto& edge : graph_[seen_[next]]) {
-          is_found = is_found || edge.patch == b;
-          if(!is_seen_[edge.patch] && is_inside(edge.patch)) {
-            is_seen_[edge.patch] = true;
-            seen_.push_back(edge.patch);
-          }
+    forget_seen();
+    const auto see_beside = [&](std::uint32_t i) {
+      for(const auto& edge : graph_[i])
+        if(!is_seen_[edge.patch] && is_inside(edge.patch)) {
+          is_seen_[edge.patch] = true;
+          seen_.push_back(edge.patch);
         }
+    };
+    see_beside(a);
+    std::size_t next = 0;
+    for(int length = 1; length < most_inside; ++length)
+      for(const std::size_t end = seen_.size(); next < end; ++next)
+        see_beside(seen_[next]);
+  }
+
+  void forget_seen()
+  {
     for(std::uint32_t i : seen_)
       is_seen_[i] = false;
-    return is_found;
+    seen_.clear();
+  }
+
+  bool is_beside_seen(std::uint32_t b) const
+  {
+    return std::any_of(graph_[b].begin(), graph_[b].end(),
+                       [&](const auto& edge) { return is_seen_[edge.patch]; });
   }
 
   /// The united parts, the largest first.
@@ -132,8 +162,9 @@ private:
   // For each patch.
   std::vector<std::uint32_t> part_;   ///< Of those on the front.
   std::vector<std::uint32_t> source_; ///< On the front, from which it was reached, or `none`.
-  std::vector<bool> is_seen_;         ///< Inside, in `is_short_inside()`.
+  std::vector<bool> is_seen_;
 
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
   std::vector<std::uint32_t> reached_, seen_;
 };
 
