@@ -42,8 +42,8 @@ public:
 
   /// Returns the parts of a front with those joined that have only a gap between them, the largest
   /// first. O(k log k) for k patches of the front.
-  /// \param front the patches of all parts; neighbours outside are reached from them in this order,
-  ///        which should not be that of the parts: from each a few at a gap
+  /// \param front the patches of all parts, in the order in which the region met them: ways
+  ///        outside begin at the first one that is beside them, and so do not all begin at one part
   /// \param is_inside whether a patch is in the region
   template <typename Front, typename IsInside>
   std::vector<Front_part> close(const std::vector<Front_part>& parts, const Front& front,
