@@ -25,6 +25,21 @@ struct Front_part
   double area = 0; ///< Patches may be of different size.
 };
 
+/// Returns the parts of a front, the largest first; none if the others together are smaller than
+/// `least_share` of the largest. O(n log n).
+inline std::vector<Front_part> if_divided(std::vector<Front_part> parts, double least_share)
+{
+  std::stable_sort(parts.begin(), parts.end(), [](const Front_part& a, const Front_part& b) {
+    return a.area > b.area;
+  });
+  double others = 0;
+  for(std::size_t k = 1; k < parts.size(); ++k)
+    others += parts[k].area;
+  if(!parts.empty() && others < least_share * parts[0].area)
+    parts.clear();
+  return parts;
+}
+
 /// Tells gaps of a front from the two sides of a limb.
 ///
 /// A front surrounds its region, but of two patches that follow each other on it, many are not
@@ -40,8 +55,8 @@ public:
     : graph_(graph), part_(n, 0), source_(n, none), is_seen_(n, false)
   {}
 
-  /// Returns the parts of a front with those joined that have only a gap between them, the largest
-  /// first. O(k log k) for k patches of the front.
+  /// Returns the parts of a front with those joined that have only a gap between them.
+  /// O(k log k) for k patches of the front.
   /// \param front the patches of all parts, in the order in which the region met them: ways
   ///        outside begin at the first one that is beside them, and so do not all begin at one part
   /// \param is_inside whether a patch is in the region
@@ -140,7 +155,7 @@ private:
                        [&](const auto& edge) { return is_seen_[edge.patch]; });
   }
 
-  /// The united parts, the largest first.
+  /// The united parts.
   static std::vector<Front_part> united(const std::vector<Front_part>& parts, Union_find& whole)
   {
     std::vector<Front_part> result(parts.size());
@@ -149,11 +164,8 @@ private:
       part.area += parts[k].area;
       part.patches.insert(part.patches.end(), parts[k].patches.begin(), parts[k].patches.end());
     }
-    std::stable_sort(result.begin(), result.end(), [](const Front_part& a, const Front_part& b) {
-      return a.area > b.area;
-    });
-    while(result.back().patches.empty())
-      result.pop_back();
+    const auto is_empty = [](const Front_part& part) { return part.patches.empty(); };
+    result.erase(std::remove_if(result.begin(), result.end(), is_empty), result.end());
     return result;
   }
 

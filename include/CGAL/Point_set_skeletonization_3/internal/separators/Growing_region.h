@@ -275,17 +275,14 @@ private:
     front_.shorten(0);
   }
 
-  /// The parts of the front, gaps closed, the largest first; none as from `connected_parts()`.
+  /// The same as `connected_parts()`, gaps closed.
   std::vector<Front_part> parts_without_gaps()
   {
-    std::vector<Front_part> parts = connected_parts();
+    const std::vector<Front_part> parts = connected_parts();
     if(parts.empty())
       return parts;
-    parts = gaps_.close(parts, front_, [this](std::size_t i) { return label_[i] == region; });
-    double others = 0;
-    for(std::size_t k = 1; k < parts.size(); ++k)
-      others += parts[k].area;
-    return others < options_.least_share * parts[0].area ? std::vector<Front_part>() : parts;
+    const auto is_inside = [this](std::size_t i) { return label_[i] == region; };
+    return if_divided(gaps_.close(parts, front_, is_inside), options_.least_share);
   }
 
   /// The connected components of the front, the largest first; none if the others together are
@@ -322,11 +319,7 @@ private:
     }
     for(std::size_t i : front_)
       label_[i] = front;
-    if(!splits)
-      return {};
-    std::stable_sort(parts.begin(), parts.end(),
-                     [](const Front_part& a, const Front_part& b) { return a.area > b.area; });
-    return parts;
+    return splits ? if_divided(std::move(parts), options_.least_share) : std::vector<Front_part>();
   }
 
   /// Whether the limb continues from the region in exactly two directions.
