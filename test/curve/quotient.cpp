@@ -17,6 +17,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/path_trees.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/stray_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/ways_through_pieces.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Ball_overlaps.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Separator_options.h>
 
@@ -277,6 +278,62 @@ TEST_CASE("Fronts lead around a handle that one ring cuts")
   }
   CHECK(quotient_of(torus, {5, 25}).handles.empty());
   CHECK(quotient_of(surfaces::tube, {5}).handles.empty());
+}
+
+TEST_CASE("Fronts lead around a handle that two rings cut close to each other")
+{
+  const Tube& torus = surfaces::torus;
+  const Patches patches = torus.patches();
+  const Samples samples = surfaces::samples_of(patches);
+  const Surface_quotient quotient = quotient_of(torus, {5, 9});
+  REQUIRE(quotient.handles.empty());
+  const auto is_round = [&](const Surface_quotient& q) {
+    return std::all_of(q.graph.vertices.begin(), q.graph.vertices.end(), [](const auto& vertex) {
+      return std::abs(vertex.position.norm() - surfaces::ring_radius) < tube_radius;
+    });
+  };
+  CHECK_FALSE(is_round(quotient)); // one piece is most of the torus
+  const Surface_quotient fronts =
+    with_handle_fronts(quotient, {torus.separator(5), torus.separator(9)}, patches, samples,
+                       adjacent_pairs(patches));
+  CHECK(is_cycle(fronts.graph));
+  CHECK(is_round(fronts));
+  for(std::size_t i = 0; i < patches.size(); ++i) { // each patch is at its vertex
+    const auto& members = fronts.members[fronts.vertex_of_patch[i]];
+    CHECK(std::count(members.begin(), members.end(), i) == 1);
+  }
+}
+
+TEST_CASE("Nothing leads through the pieces of a tree, and one piece with two loops has two ways")
+{
+  const Tube& tube = surfaces::tube;
+  const std::vector<Local_separator> separators = {tube.separator(7), tube.separator(20)};
+  CHECK(ways_through_pieces(quotient_of(tube, {7, 20}), separators).empty());
+
+  // Four separators; the middle piece is on two cycles, each through two of them and another piece.
+  const Tube& torus = surfaces::torus;
+  Surface_quotient quotient = quotient_of(torus, {5, 15, 25, 35});
+  const auto adjacency = quotient.graph.adjacency();
+  const std::size_t middle = adjacency[0][0];
+  const auto pieces = quotient.graph.vertices.size() - 4;
+  REQUIRE(pieces == 4);
+  quotient.graph.edges.clear();
+  std::vector<std::size_t> others;
+  for(std::size_t v = 4; v < quotient.graph.vertices.size(); ++v)
+    if(v != middle)
+      others.push_back(v);
+  quotient.graph.edges = {{0, middle}, {0, others[0]}, {1, others[0]}, {1, middle},
+                          {2, middle}, {2, others[1]}, {3, others[1]}, {3, middle}};
+  const Ways_through_pieces ways =
+    ways_through_pieces(quotient, {torus.separator(5), torus.separator(15), torus.separator(25),
+                                   torus.separator(35)});
+  REQUIRE(ways.count(middle) == 1);
+  REQUIRE(ways.at(middle).size() == 2);
+  for(const Way_through& way : ways.at(middle)) {
+    CHECK_FALSE(way.leads_around());
+    CHECK(way.from.separator / 2 == way.to.separator / 2); // of one cycle
+  }
+  CHECK(ways.at(others[0]).size() == 1);
 }
 
 TEST_CASE("A handle stays known until one of its vertices is replaced")

@@ -6,9 +6,9 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Blocks.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
-#include <CGAL/Point_set_skeletonization_3/internal/curve/two_edge_connected_components.h>
 
 #include <algorithm>
 #include <array>
@@ -281,9 +281,10 @@ private:
     for(const Skeleton_graph::Edge& e : graph_.edges)
       if(!removed_[e.first] && !removed_[e.second])
         rest.edges.push_back(e);
-    const std::vector<std::size_t> part = two_edge_connected_components(rest);
+    const Blocks blocks = blocks_of(rest);
+    std::size_t next = 0;
     for(const Skeleton_graph::Edge& e : graph_.edges)
-      is_bridge_.push_back(part[e.first] != part[e.second]);
+      is_bridge_.push_back(removed_[e.first] || removed_[e.second] || blocks.is_bridge[next++]);
   }
 
   /// The largest ratio of the length beyond a cross-section of a branch to half its width; or, if

@@ -9,6 +9,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/quantile.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Refined_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/ways_through_pieces.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/separators/Local_separator.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
@@ -27,28 +28,28 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// How far each patch of a piece is around a handle, from the second side of its separator on to
-/// the first. Divided into levels of equal length.
-struct Handle_levels
+/// How far each patch of a piece is on a way through it. Divided into levels of equal length.
+struct Way_levels
 {
-  std::vector<std::size_t> level; ///< Of each patch; of those outside the piece undefined.
+  std::vector<std::size_t> level; ///< Of each patch of the piece, in their order.
   std::size_t number = 0;
 
-  /// Number of levels between two patches.
-  std::size_t between(std::size_t i, std::size_t j) const
+  /// Number of levels between two patches of the piece.
+  std::size_t between(std::size_t k, std::size_t l) const
   {
-    return level[i] > level[j] ? level[i] - level[j] : level[j] - level[i];
+    return level[k] > level[l] ? level[k] - level[l] : level[l] - level[k];
   }
 
-  /// Whether the way from one patch to an adjacent one crosses the separator.
-  bool are_across(std::size_t i, std::size_t j) const { return 2 * between(i, j) > number; }
+  /// Whether the step from one patch to an adjacent one is from one end of the way to the other:
+  /// across the separator that the way leads around to.
+  bool are_across(std::size_t k, std::size_t l) const { return 2 * between(k, l) > number; }
 };
 
-/// Replaces pieces that handles lead around by trees of fronts. Such a piece, between the two sides
-/// of one separator, may be most of the shape: the wall of a pipe is one, and a curve through its
-/// middle is no curve around the pipe. A front is a connected part of it that is equally far around
-/// each of its handles; the curve leads from the middle of each front to that of the next. The
-/// fronts of a piece become a tree, so that the cycles stay those around separators.
+/// Replaces pieces that handles lead through by trees of fronts. Where separators are far between, a
+/// piece may be most of the shape: the wall of a pipe but one or two rings, and a curve through its
+/// middle is no curve around the pipe. A front is a connected part of it that is equally far on each
+/// way through it; the curve leads from the middle of each front to that of the next. The fronts of
+/// a piece become a tree, so that the cycles stay those around separators.
 class Handle_fronts
 {
 public:
@@ -56,19 +57,19 @@ public:
   Handle_fronts(const Surface_quotient& quotient, const std::vector<Local_separator>& separators,
                 const Patches& patches, const std::vector<Patch_pair>& pairs)
     : quotient_(quotient), separators_(separators), patches_(patches), graph_(patches, pairs),
-      paths_(graph_, patches.size()), front_(patches.size(), none), result_(quotient)
+      paths_(graph_, patches.size()), front_(patches.size(), none), place_(patches.size(), none),
+      result_(quotient)
   {}
 
-  /// Returns the quotient with fronts for these pieces. To be called once.
-  /// O(n log n) for each handle.
-  Surface_quotient with_fronts(const Samples& samples)
+  /// Returns the quotient with fronts for the pieces of the ways. To be called once. O(m log m) for
+  /// each way through a piece of m patches.
+  Surface_quotient with_fronts(const Ways_through_pieces& ways, const Samples& samples)
   {
-    std::map<std::size_t, std::vector<Surface_quotient::Handle>> handles_around;
-    for(const Surface_quotient::Handle& handle : quotient_.handles)
+    std::map<std::size_t, std::vector<Handle>> handles_around;
+    for(const Handle& handle : quotient_.handles)
       handles_around[handle.piece].push_back(handle);
-    for(const auto& [piece, handles] : handles_around)
-      if(!is_between_separators_only(piece))
-        replace(piece, handles);
+    for(const auto& [piece, through] : ways)
+      replace(piece, handles_around[piece], through);
     return result_.take(patches_, samples);
   }
 
@@ -102,18 +103,19 @@ private:
     return quotient_.vertex_of_patch[i] == piece;
   }
 
-  /// Whether a piece has no patches of its own.
-  bool is_between_separators_only(std::size_t piece) const
+  /// Replaces a piece by its fronts, if there are several.
+  void replace(std::size_t piece, const std::vector<Handle>& handles,
+               const std::vector<Way_through>& ways)
   {
-    return !is_in(piece, quotient_.members[piece].front());
-  }
-
-  /// Replaces a piece by its fronts.
-  void replace(std::size_t piece, const std::vector<Handle>& handles)
-  {
-    std::vector<Handle_levels> levels;
-    for(const Handle& handle : handles)
-      levels.push_back(levels_of(handle));
+    const std::vector<std::size_t>& members = quotient_.members[piece];
+    for(std::size_t k = 0; k < members.size(); ++k)
+      place_[members[k]] = k;
+    std::vector<Way_levels> levels;
+    for(const Way_through& way : ways)
+      levels.push_back(levels_of(piece, way));
+    if(std::all_of(levels.begin(), levels.end(),
+                   [](const Way_levels& along) { return along.number == 1; }))
+      return;
     const Fronts fronts = fronts_of(piece, levels);
     const std::vector<Contact> tree = spanning_tree(piece, levels, fronts.size());
     const std::vector<Attachment> attached = attach(piece, handles);
@@ -146,16 +148,16 @@ private:
     return result;
   }
 
-  /// How far the patches of the piece are around a handle: the share of the way. Halfway around if
-  /// they are not reached.
-  Handle_levels levels_of(const Handle& handle)
+  /// How far the patches of a piece are on a way: the share of it. Halfway if they are not reached.
+  Way_levels levels_of(std::size_t piece, const Way_through& way)
   {
-    constexpr double fewest = 4; // a curve around the handle
+    // A curve around a handle needs four fronts, more than eight follow the noise. Between separators
+    // there is a part of the way around, half if there are two.
+    const double fewest = way.leads_around() ? 4 : 1, most = way.leads_around() ? 8 : 4;
     constexpr double front_distance = 3; // spacings: what is smaller than that is no shape
-    const std::vector<std::size_t>& members = quotient_.members[handle.piece];
-    const Local_separator& separator = separators_[handle.separator];
-    const std::vector<double> from = distances(handle.piece, separator.sides[1]),
-                              to = distances(handle.piece, separator.sides[0]);
+    const std::vector<std::size_t>& members = quotient_.members[piece];
+    const std::vector<double> from = distances(piece, patches_on(way.from)),
+                              to = distances(piece, patches_on(way.to));
     std::vector<double> lengths, spacings;
     for(std::size_t k = 0; k < members.size(); ++k) {
       spacings.push_back(patches_[members[k]].spacing);
@@ -163,39 +165,44 @@ private:
         lengths.push_back(from[k] + to[k]);
     }
     const double length = lengths.empty() ? 0 : quantile(lengths, 0.5);
-    Handle_levels result;
-    result.number = static_cast<std::size_t>((std::max)(
-      fewest, std::round(length / (front_distance * quantile(spacings, 0.5)))));
-    result.level.resize(patches_.size());
+    const double number = std::round(length / (front_distance * quantile(spacings, 0.5)));
+    Way_levels result;
+    result.number = static_cast<std::size_t>((std::clamp)(number, fewest, most));
     for(std::size_t k = 0; k < members.size(); ++k) {
       const double total = from[k] + to[k];
       const double share = total > 0 && total < Shortest_paths::infinity ? from[k] / total : 0.5;
-      result.level[members[k]] =
+      result.level.push_back(
         (std::min)(result.number - 1,
-                   static_cast<std::size_t>(static_cast<double>(result.number) * share));
+                   static_cast<std::size_t>(static_cast<double>(result.number) * share)));
     }
     return result;
   }
 
+  const std::vector<std::size_t>& patches_on(const Separator_side& side) const
+  {
+    return separators_[side.separator].sides[side.side];
+  }
+
   /// Divides a piece into fronts: the patches of the same levels that are connected through them
   /// and the levels beside, as far as noise leads.
-  Fronts fronts_of(std::size_t piece, const std::vector<Handle_levels>& levels)
+  Fronts fronts_of(std::size_t piece, const std::vector<Way_levels>& levels)
   {
     const auto between = [&](std::size_t i, std::size_t j) {
       std::size_t most = 0;
-      for(const Handle_levels& around : levels)
-        most = (std::max)(most, around.between(i, j));
+      for(const Way_levels& along : levels)
+        most = (std::max)(most, along.between(place_[i], place_[j]));
       return most;
     };
-    for(std::size_t i : quotient_.members[piece])
+    const std::vector<std::size_t>& members = quotient_.members[piece];
+    for(std::size_t i : members)
       front_[i] = none;
     Fronts result;
-    std::vector<std::size_t> seen(patches_.size(), none); // the last front whose search saw it
-    for(std::size_t first : quotient_.members[piece]) {
+    std::vector<std::size_t> seen(members.size(), none); // the last front whose search saw it
+    for(std::size_t first : members) {
       if(front_[first] != none)
         continue;
       std::vector<std::size_t> connected{first}, front;
-      seen[first] = result.size();
+      seen[place_[first]] = result.size();
       for(std::size_t next = 0; next < connected.size(); ++next) {
         const std::size_t i = connected[next];
         if(between(i, first) == 0) {
@@ -203,9 +210,9 @@ private:
           front.push_back(i);
         }
         for(const auto& edge : graph_[i])
-          if(is_in(piece, edge.patch) && seen[edge.patch] != result.size() &&
+          if(is_in(piece, edge.patch) && seen[place_[edge.patch]] != result.size() &&
              between(edge.patch, first) <= 1) {
-            seen[edge.patch] = result.size();
+            seen[place_[edge.patch]] = result.size();
             connected.push_back(edge.patch);
           }
       }
@@ -216,15 +223,15 @@ private:
 
   /// The contacts that connect the fronts of a piece to a tree, the greatest first, none across a
   /// separator.
-  std::vector<Contact> spanning_tree(std::size_t piece, const std::vector<Handle_levels>& levels,
+  std::vector<Contact> spanning_tree(std::size_t piece, const std::vector<Way_levels>& levels,
                                      std::size_t fronts) const
   {
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> sizes;
     for(std::size_t i : quotient_.members[piece])
       for(const auto& edge : graph_[i])
         if(edge.patch > i && is_in(piece, edge.patch) && front_[i] != front_[edge.patch] &&
-           std::none_of(levels.begin(), levels.end(), [&](const Handle_levels& around) {
-             return around.are_across(i, edge.patch);
+           std::none_of(levels.begin(), levels.end(), [&](const Way_levels& along) {
+             return along.are_across(place_[i], place_[edge.patch]);
            }))
           ++sizes[std::minmax(front_[i], front_[edge.patch])];
     std::vector<Contact> contacts;
@@ -325,21 +332,27 @@ private:
   const Patches& patches_;
   Patch_graph graph_;
   Shortest_paths paths_;
-  std::vector<std::size_t> front_; ///< Of each patch of the current piece; others are undefined.
+
+  // Of each patch of the current piece; of others undefined.
+  std::vector<std::size_t> front_; ///< Its front.
+  std::vector<std::size_t> place_; ///< In the order of the patches of the piece.
+
   Refined_quotient result_;
 };
 
-/// Part 3b: returns a quotient with fronts for the pieces that handles lead around. O(n log n) for
-/// each handle; O(1) without handles.
+/// Part 3b: returns a quotient with fronts for the pieces that handles lead through. O(n log n), and
+/// O(m log m) for each way through a piece of m patches.
+/// \param separators the first vertices of the quotient
 /// \param pairs adjacent patches, `Ball_overlaps::pairs()`
 inline Surface_quotient with_handle_fronts(Surface_quotient quotient,
                                            const std::vector<Local_separator>& separators,
                                            const Patches& patches, const Samples& samples,
                                            const std::vector<Patch_pair>& pairs)
 {
-  if(quotient.handles.empty())
+  const Ways_through_pieces ways = ways_through_pieces(quotient, separators);
+  if(ways.empty())
     return quotient;
-  return Handle_fronts(quotient, separators, patches, pairs).with_fronts(samples);
+  return Handle_fronts(quotient, separators, patches, pairs).with_fronts(ways, samples);
 }
 
 } // namespace internal

@@ -5,9 +5,9 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_LOOSE_ENDS_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Blocks.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_evidence.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
-#include <CGAL/Point_set_skeletonization_3/internal/curve/two_edge_connected_components.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -53,11 +53,11 @@ inline double loose_open_share(const Skeleton_graph& frame, const Skeleton_graph
   const Curve_evidence all = evidence_along(frame);
   if(all.open_length() == 0)
     return 1;
-  const std::vector<std::size_t> part = two_edge_connected_components(frame);
+  const Blocks blocks = blocks_of(frame);
   Curve_evidence loose;
-  for(const Skeleton_graph::Edge& e : frame.edges)
-    if(part[e.first] != part[e.second])
-      loose.add(frame.vertices[e.first], frame.vertices[e.second]);
+  for(std::size_t e = 0; e < frame.edges.size(); ++e)
+    if(blocks.is_bridge[e])
+      loose.add(frame.vertices[frame.edges[e].first], frame.vertices[frame.edges[e].second]);
   const double left_out = (std::max)(1.0, evidence_along(tree).length() / all.length());
   return left_out * loose.open_length() / all.open_length();
 }

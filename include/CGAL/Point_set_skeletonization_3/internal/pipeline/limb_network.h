@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Blocks.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_evidence.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/handle_fronts.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/limb_evidence.h>
@@ -15,7 +16,6 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/path_trees.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
-#include <CGAL/Point_set_skeletonization_3/internal/curve/two_edge_connected_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/sample_kinds.h>
 #include <CGAL/Point_set_skeletonization_3/internal/pipeline/Linking_options.h>
@@ -78,11 +78,13 @@ inline std::vector<Local_separator> without_marked(std::vector<Local_separator> 
 inline std::vector<Local_separator> without_idle(std::vector<Local_separator> separators,
                                                  const Surface_quotient& quotient)
 {
-  const std::vector<std::size_t> part = two_edge_connected_components(quotient.graph);
+  const Blocks blocks = blocks_of(quotient.graph);
   std::vector<bool> is_on_cycle(quotient.graph.vertices.size(), false);
-  for(const Skeleton_graph::Edge& e : quotient.graph.edges)
-    if(part[e.first] == part[e.second])
-      is_on_cycle[e.first] = is_on_cycle[e.second] = true;
+  for(std::size_t e = 0; e < quotient.graph.edges.size(); ++e)
+    if(!blocks.is_bridge[e]) {
+      const auto [v, w] = quotient.graph.edges[e];
+      is_on_cycle[v] = is_on_cycle[w] = true;
+    }
   std::vector<Local_separator> result;
   for(std::size_t s = 0; s < separators.size(); ++s) // the first vertices are separators
     if(!separators[s].is_of_handle || is_on_cycle[s])

@@ -1,12 +1,13 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_TWO_EDGE_CONNECTED_COMPONENTS_H
-#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_TWO_EDGE_CONNECTED_COMPONENTS_H
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_BLOCKS_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_BLOCKS_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -16,12 +17,19 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Returns the part of each vertex: an edge is a bridge, that is, its ends are not connected
-/// without it, if and only if they are in different parts. O(n log n).
+/// The blocks of a graph: two edges are in one block if and only if a cycle leads through both.
+struct Blocks
+{
+  std::vector<std::size_t> of_edge; ///< Of each edge, in their order; the numbers have gaps.
+  std::vector<bool> is_bridge;      ///< Of each edge: no cycle leads through it.
+};
+
+/// Returns the blocks of a graph. O(n log n). \pre no edge joins a vertex to itself
 ///
-/// Each edge outside a spanning forest closes a cycle, which is one part. Done here because
-/// `boost::biconnected_components()` makes the pruning take half as long again to compile.
-inline std::vector<std::size_t> two_edge_connected_components(const Skeleton_graph& graph)
+/// Each edge outside a spanning forest closes a cycle, whose edges are in one block; that gives all
+/// blocks, whatever the forest. Done here because `boost::biconnected_components()` makes the
+/// pruning take half as long again to compile.
+inline Blocks blocks_of(const Skeleton_graph& graph)
 {
   const std::size_t size = graph.vertices.size();
   std::vector<std::vector<std::size_t>> edges_at(size);
@@ -52,22 +60,31 @@ inline std::vector<std::size_t> two_edge_connected_components(const Skeleton_gra
         is_in_forest[e] = true;
       }
   }
-  Union_find parts(size); // of ranks; the smallest of a part is nearest to the root
+  // An edge of the forest is known by its lower end; the smallest of a block is at its top.
+  const auto lower_end = [&](const Skeleton_graph::Edge& e) {
+    return (std::max)(rank[e.first], rank[e.second]);
+  };
+  Union_find blocks(size);
   for(std::size_t e = 0; e < graph.edges.size(); ++e) {
     if(is_in_forest[e])
       continue;
-    std::size_t a = parts.find(rank[graph.edges[e].first]);
-    std::size_t b = parts.find(rank[graph.edges[e].second]);
+    std::size_t a = rank[graph.edges[e].first], b = rank[graph.edges[e].second];
     while(a != b) {
       if(a < b)
         std::swap(a, b);
-      parts.join(a, parent[a]);
-      a = parts.find(a);
+      const std::size_t above = parent[blocks.find(a)];
+      blocks.join(a, lower_end(graph.edges[e]));
+      a = above;
     }
   }
-  std::vector<std::size_t> result;
-  for(std::size_t r : rank)
-    result.push_back(parts.find(r));
+  Blocks result;
+  std::vector<std::size_t> sizes(size, 0);
+  for(const Skeleton_graph::Edge& e : graph.edges) {
+    result.of_edge.push_back(blocks.find(lower_end(e)));
+    ++sizes[result.of_edge.back()];
+  }
+  for(std::size_t block : result.of_edge)
+    result.is_bridge.push_back(sizes[block] == 1);
   return result;
 }
 
@@ -75,4 +92,4 @@ inline std::vector<std::size_t> two_edge_connected_components(const Skeleton_gra
 } // namespace Point_set_skeletonization_3
 } // namespace CGAL
 
-#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_TWO_EDGE_CONNECTED_COMPONENTS_H
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_BLOCKS_H
