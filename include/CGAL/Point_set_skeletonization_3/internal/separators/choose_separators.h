@@ -193,9 +193,9 @@ private:
   bool is_around_gap(const Path_search::Path& path, const Local_separator& separator) const
   {
     // Widths of the strip: holes between the lines of a scanner are about as wide as what is
-    // between them, those between wires ten times as wide as a wire. (The same results from 3 to
-    // 10.)
-    constexpr double widest = 4;
+    // between them, those between the bars of a frame three times, and those between wires ten times
+    // as wide.
+    constexpr double widest = 2;
     Vector3 area = Vector3::Zero(); // times two; of a closed polygon, whatever the origin
     double length = 0, on_sheet = 0;
     const Vector3 origin = surface_.patches[path.front()].mean;
