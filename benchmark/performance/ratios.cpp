@@ -72,11 +72,12 @@ std::vector<Ratio> ratios_of(const Rows& rows, const Performance_row& ours)
     result.push_back({ours.input, ours.points, what, value, asked, at_most});
   };
   if(is_model) {
-    add("time / (alpha wrap + MCF)", rival(method_names::wrap_and_flow, "total"), 0.1, true);
-    add("time / MCF of the mesh", rival(method_names::flow, "total"), 1. / 3, true);
+    add("time / (alpha wrap + MCF)", rival(method_names::wrap_and_flow, "total"), 1. / 18,
+        true);
+    add("time / MCF of the mesh", rival(method_names::flow, "total"), 1. / 4, true);
   }
   if(is_million)
-    add("time / queries of 16 neighbours", rival(method_names::neighbors, "queries"), 0.25, true);
+    add("time / queries of 16 neighbours", rival(method_names::neighbors, "queries"), 0.15, true);
   if(is_model || is_million)
     add("one thread / two threads",
         median_ratio(ours.of_runs("total", &Stage_seconds::wall),
