@@ -469,6 +469,7 @@ TEST_CASE("A narrow hole of a sheet may be one of the data, a wide one is not")
   };
   CHECK(is_chosen(1, false));
   CHECK(!is_chosen(1, true));
+  CHECK(is_chosen(9, true)); // beside a bar, a third as wide as the opening
   CHECK(is_chosen(14, true)); // one patch to the border
 }
 
