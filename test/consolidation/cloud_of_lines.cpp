@@ -97,9 +97,9 @@ TEST_CASE("Twigs of single points are a cloud of lines; surfaces, their rims and
 
 TEST_CASE("The fewer components there are, the less it takes to be a cloud of lines; of 500 nothing")
 {
-  for(const std::size_t number : {750, 1500, 3000})
+  for(const std::size_t number : {750, 1500, 3000, 10000})
     CHECK(least_share_on_lines(number) < least_share_on_lines(2 * number));
-  CHECK(least_share_on_lines(10000) == least_share_on_lines(1000000));
+  CHECK(least_share_on_lines(100000) > 1);
   for(unsigned seed = 0; seed < seeds; ++seed) {
     CAPTURE(seed);
     Random random(seed);

@@ -94,6 +94,57 @@ TEST_CASE("What has a medial ball is resolved, unless most around it is not")
   CHECK(std::find(none.begin(), none.end(), true) == none.end());
 }
 
+TEST_CASE("The correlation dimension is that of lines, of surfaces and of space")
+{
+  for(unsigned s = seed; s < seed + 3; ++s) {
+    CAPTURE(s);
+    shapes::Random random(s);
+    const auto dimension = [&](double width, double height) {
+      const double length = 4000 / ((1 + width) * (1 + height)); // one place in a unit cube
+      std::vector<Vector3> places;
+      for(int k = 0; k < 4000; ++k) {
+        const double x = random.uniform(0, length), y = random.uniform(0, width);
+        places.emplace_back(x, y, random.uniform(0, height));
+      }
+      return correlation_dimension(surfaces::surface_of(patches_at(places)),
+                                   std::vector<bool>(places.size(), true));
+    };
+    CHECK(dimension(0, 0) < 1.3);
+    const double of_surface = dimension(60, 0), of_space = dimension(15, 15);
+    CHECK(of_surface > 1.8);
+    CHECK(of_surface < 2.2);
+    CHECK(of_space > 2.5);
+  }
+  const Surface surface = surfaces::surface_of(patches_at({Vector3(0, 0, 0), Vector3(1, 0, 0)}));
+  CHECK(correlation_dimension(surface, {false, false}) == 3);
+}
+
+TEST_CASE("Twigs are those of a cloud that mostly consists of lines")
+{
+  CAPTURE(seed);
+  shapes::Random random(seed);
+  const auto are_twigs = [](const std::vector<Vector3>& places) {
+    const Patches patches = patches_at(places);
+    return unresolved_limbs(surfaces::surface_of(patches), samples_on(patches)).are_twigs;
+  };
+  std::vector<Vector3> twigs, scattered, sheet;
+  for(int twig = 0; twig < 30; ++twig) {
+    const Vector3 direction = random.direction(), root = 60 * random.uniform_vector();
+    for(int k = 0; k < 30; ++k)
+      twigs.push_back(root + k * direction + 0.1 * random.uniform_vector());
+  }
+  for(int k = 0; k < 1000; ++k)
+    scattered.push_back(10 * random.uniform_vector());
+  for(int x = 0; x < 50; ++x)
+    for(int y = 0; y < 50; ++y)
+      sheet.emplace_back(100 + x, y, 0);
+  CHECK(are_twigs(twigs));
+  CHECK_FALSE(are_twigs(scattered));
+  std::vector<Vector3> plant = twigs; // most of it is a leaf
+  plant.insert(plant.end(), sheet.begin(), sheet.end());
+  CHECK_FALSE(are_twigs(plant));
+}
+
 TEST_CASE("Places around a limb go to its middle, and not along it")
 {
   CAPTURE(seed);

@@ -122,9 +122,9 @@ inline void move_inside(Surface_quotient& quotient, const Surface& surface, cons
 }
 
 /// Returns the network of limbs that separators cut a surface into. In a tree, separators mean
-/// nothing where limbs are not resolved: there are trees of paths or, in a cloud of lines, spanning
-/// trees of the points instead. They come before fronts around handles, which would gather twigs.
-/// O(n log n) in practice.
+/// nothing where limbs are not resolved: there are trees of paths or, through twigs of single
+/// points, spanning trees of these instead. They come before fronts around handles, which would
+/// gather twigs. O(n log n) in practice.
 /// \param candidates from `separator_candidates()`
 inline Limb_network limb_network(const Surface& surface, const Samples& samples,
                                  const Ball_overlaps& overlaps,
@@ -133,20 +133,21 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
                                  Concurrency concurrency)
 {
   const bool is_frame = reading == Limb_reading::frame;
-  const std::vector<bool> is_unresolved = is_frame ? std::vector<bool>(samples.size(), false)
-                                                   : unresolved_patches(surface, samples);
+  const Unresolved_limbs unresolved =
+    is_frame ? Unresolved_limbs{std::vector<bool>(samples.size(), false), false}
+             : unresolved_limbs(surface, samples);
   std::vector<Local_separator> separators =
     without_marked(local_separators(candidates, surface, samples, overlaps, !is_frame,
                                     options.separators, concurrency),
-                   is_unresolved);
+                   unresolved.is_unresolved);
   const auto quotient_of = [&] {
     Surface_quotient quotient =
       surface_quotient(surface.patches, samples, overlaps, separators, concurrency);
-    quotient = surface.is_of_lines
+    quotient = unresolved.are_twigs
                  ? with_line_trees(std::move(quotient), surface.patches, samples,
-                                   overlaps.pairs(), is_unresolved)
+                                   overlaps.pairs(), unresolved.is_unresolved)
                  : with_path_trees(std::move(quotient), surface, samples, overlaps.pairs(),
-                                   is_unresolved, concurrency);
+                                   unresolved.is_unresolved, concurrency);
     quotient = with_handle_fronts(std::move(quotient), separators, surface.patches, samples,
                                   overlaps.pairs());
     move_inside(quotient, surface, samples, concurrency);
