@@ -135,7 +135,7 @@ inline double correlation_dimension(const Surface& surface, const std::vector<bo
                                           near += squared_distance <= spacing * spacing ? 1 : 0;
                                           ++all;
                                         });
-    --near; // itself
+    --near; // itself, or one of the components that it consists of
     --all;
   }
   return near > 0 ? std::log2(all / near) : 3;
