@@ -106,8 +106,12 @@ TEST_CASE("The correlation dimension is that of lines, of surfaces and of space"
         const double x = random.uniform(0, length), y = random.uniform(0, width);
         places.emplace_back(x, y, random.uniform(0, height));
       }
-      return correlation_dimension(surfaces::surface_of(patches_at(places)),
-                                   std::vector<bool>(places.size(), true));
+      Components_around all;
+      for(const Components_around& around :
+          components_around(surfaces::surface_of(patches_at(places)),
+                            std::vector<bool>(places.size(), true)))
+        all.add(around);
+      return all.dimension();
     };
     CHECK(dimension(0, 0) < 1.3);
     const double of_surface = dimension(60, 0), of_space = dimension(15, 15);
@@ -115,34 +119,49 @@ TEST_CASE("The correlation dimension is that of lines, of surfaces and of space"
     CHECK(of_surface < 2.2);
     CHECK(of_space > 2.5);
   }
-  const Surface surface = surfaces::surface_of(patches_at({Vector3(0, 0, 0), Vector3(1, 0, 0)}));
-  CHECK(correlation_dimension(surface, {false, false}) == 3);
+  CHECK(Components_around().dimension() == 3);
 }
 
 TEST_CASE("Twigs are those of a cloud that mostly consists of lines")
 {
   CAPTURE(seed);
   shapes::Random random(seed);
-  const auto are_twigs = [](const std::vector<Vector3>& places) {
-    const Patches patches = patches_at(places);
-    return unresolved_limbs(surfaces::surface_of(patches), samples_on(patches)).are_twigs;
+  const auto share_of_twigs = [](const std::vector<Vector3>& places, std::size_t begin,
+                                 std::size_t end) {
+    Patches patches = patches_at(places);
+    for(std::size_t i = 0; i < places.size(); ++i)
+      for(std::size_t j = 0; j < places.size(); ++j)
+        if(i != j && (places[i] - places[j]).norm() < 1)
+          patches[i].neighbors.push_back(j);
+    const std::vector<bool> is_of_twig =
+      unresolved_limbs(surfaces::surface_of(patches), samples_on(patches)).is_of_twig;
+    const auto at = [&](std::size_t k) {
+      return is_of_twig.begin() + static_cast<std::ptrdiff_t>(k);
+    };
+    return static_cast<double>(std::count(at(begin), at(end), true)) /
+           static_cast<double>(end - begin);
   };
   std::vector<Vector3> twigs, scattered, sheet;
   for(int twig = 0; twig < 30; ++twig) {
     const Vector3 direction = random.direction(), root = 60 * random.uniform_vector();
     for(int k = 0; k < 30; ++k)
-      twigs.push_back(root + k * direction + 0.1 * random.uniform_vector());
+      twigs.push_back(root + 0.4 * k * direction + 0.1 * random.uniform_vector());
   }
   for(int k = 0; k < 1000; ++k)
     scattered.push_back(10 * random.uniform_vector());
   for(int x = 0; x < 50; ++x)
     for(int y = 0; y < 50; ++y)
       sheet.emplace_back(100 + x, y, 0);
-  CHECK(are_twigs(twigs));
-  CHECK_FALSE(are_twigs(scattered));
+  CHECK(share_of_twigs(twigs, 0, twigs.size()) > 0.9);
+  CHECK(share_of_twigs(scattered, 0, scattered.size()) == 0);
   std::vector<Vector3> plant = twigs; // most of it is a leaf
   plant.insert(plant.end(), sheet.begin(), sheet.end());
-  CHECK_FALSE(are_twigs(plant));
+  CHECK(share_of_twigs(plant, 0, plant.size()) == 0);
+  std::vector<Vector3> tree = twigs; // with a limb as wide as the noise
+  for(int k = 0; k < 100; ++k)
+    tree.push_back(Vector3(100, 0, 0) + 5 * random.uniform_vector());
+  CHECK(share_of_twigs(tree, 0, twigs.size()) > 0.9);
+  CHECK(share_of_twigs(tree, twigs.size(), tree.size()) < 0.1);
 }
 
 TEST_CASE("Places around a limb go to its middle, and not along it")

@@ -120,53 +120,88 @@ inline std::vector<bool> unresolved_patches(const Surface& surface, const Sample
   return result;
 }
 
-/// Returns the dimension of a cloud around marked patches: the exponent by which the number of
-/// components around one grows from one spacing to two (correlation dimension, Grassberger and
-/// Procaccia 1983). 1 on lines, 2 on surfaces, 3 in space, also if none is marked. O(n log n).
-inline double correlation_dimension(const Surface& surface, const std::vector<bool>& is_marked)
+/// How many components there are around some patches, within one spacing and within two.
+struct Components_around
 {
-  double near = 0, all = 0; // of all marked patches, within one spacing and within two
+  double near = 0, all = 0;
+
+  void add(const Components_around& other)
+  {
+    near += other.near;
+    all += other.all;
+  }
+
+  /// The exponent by which their number grows (correlation dimension, Grassberger and Procaccia
+  /// 1983): 1 on lines, 2 on surfaces, 3 in space, also if there are none.
+  double dimension() const { return near > 0 ? std::log2(all / near) : 3; }
+};
+
+/// Returns the components around each marked patch; none around others. O(n log n).
+inline std::vector<Components_around> components_around(const Surface& surface,
+                                                        const std::vector<bool>& is_marked)
+{
+  std::vector<Components_around> result(is_marked.size());
   for(std::size_t i = 0; i < is_marked.size(); ++i) {
     if(!is_marked[i])
       continue;
     const double spacing = surface.patches[i].resolution();
+    result[i] = {-1, -1}; // without itself, or one of the components that it consists of
     surface.component_tree.visit_within(surface.patches[i].mean, 2 * spacing,
                                         [&](std::size_t, double squared_distance) {
-                                          near += squared_distance <= spacing * spacing ? 1 : 0;
-                                          ++all;
+                                          result[i].near += squared_distance <= spacing * spacing;
+                                          ++result[i].all;
                                         });
-    --near; // itself, or one of the components that it consists of
-    --all;
   }
-  return near > 0 ? std::log2(all / near) : 3;
+  return result;
 }
 
-/// Whether unresolved patches are those of twigs thinner than the spacing: they are most patches,
-/// and around them there is less than a surface. O(n log n).
-inline bool are_of_twigs(const Surface& surface, const std::vector<bool>& is_unresolved)
+/// Limbs that are not resolved, by their patches.
+struct Unresolved_limbs
+{
+  std::vector<bool> is_of_twig; ///< Of twigs thinner than the spacing, in a cloud of such.
+  std::vector<bool> is_loose;   ///< Of others.
+};
+
+/// Divides unresolved patches into those of twigs and others. Twigs are told by their dimension, in
+/// a cloud most of whose patches are not resolved, and less than a surface; a limb as wide as the
+/// noise among them is none. O(n log n).
+inline Unresolved_limbs without_twigs(const Surface& surface, const Samples& samples,
+                                      std::vector<bool> is_unresolved)
 {
   // Of scanned trees whose twigs are thinner, without noise, 1.6 to 1.9; of real trees with leaves
   // 1.95 and 2.4, of simulated crowns 1.8 to 2.6, of narrow sheets 1.9 to 2.4.
-  constexpr double surface_like = 1.9;
-  const auto unresolved = std::count(is_unresolved.begin(), is_unresolved.end(), true);
-  return 2 * static_cast<std::size_t>(unresolved) > is_unresolved.size() &&
-         correlation_dimension(surface, is_unresolved) < surface_like;
+  constexpr double of_twigs = 1.9, of_surface = 2;
+  const std::size_t size = is_unresolved.size();
+  Unresolved_limbs result{std::vector<bool>(size, false), std::move(is_unresolved)};
+  const std::vector<bool>& loose = result.is_loose;
+  const auto unresolved = std::count(loose.begin(), loose.end(), true);
+  if(2 * static_cast<std::size_t>(unresolved) <= size)
+    return result;
+  const std::vector<Components_around> around = components_around(surface, loose);
+  Components_around all;
+  for(const Components_around& one : around)
+    all.add(one);
+  if(all.dimension() >= of_twigs)
+    return result;
+  result.is_of_twig = twig_patches(surface, samples);
+  for(std::size_t i = 0; i < size; ++i) {
+    if(!result.is_of_twig[i] && !result.is_loose[i])
+      continue;
+    Components_around here;
+    visit_surroundings(surface, i, [&](std::size_t k) { here.add(around[k]); });
+    const bool is_thin = here.dimension() < of_surface;
+    result.is_of_twig[i] = result.is_of_twig[i] && is_thin;
+    result.is_loose[i] = result.is_loose[i] && !is_thin;
+  }
+  return result;
 }
 
-/// Limbs that are not resolved.
-struct Unresolved_limbs
-{
-  std::vector<bool> is_unresolved; ///< Of each patch.
-  bool are_twigs = false; ///< Whether they are twigs of single points, in a cloud of such.
-};
-
-/// Returns the limbs that are not resolved. O(n log n).
+/// Returns the limbs that are not resolved. In a cloud of lines all are twigs. O(n log n).
 inline Unresolved_limbs unresolved_limbs(const Surface& surface, const Samples& samples)
 {
-  std::vector<bool> unresolved = unresolved_patches(surface, samples);
-  if(surface.is_of_lines || are_of_twigs(surface, unresolved))
-    return {twig_patches(surface, samples), true};
-  return {std::move(unresolved), false};
+  if(surface.is_of_lines)
+    return {twig_patches(surface, samples), std::vector<bool>(samples.size(), false)};
+  return without_twigs(surface, samples, unresolved_patches(surface, samples));
 }
 
 } // namespace internal

@@ -133,21 +133,21 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
                                  Concurrency concurrency)
 {
   const bool is_frame = reading == Limb_reading::frame;
+  const std::vector<bool> none(samples.size(), false);
   const Unresolved_limbs unresolved =
-    is_frame ? Unresolved_limbs{std::vector<bool>(samples.size(), false), false}
-             : unresolved_limbs(surface, samples);
-  std::vector<Local_separator> separators =
+    is_frame ? Unresolved_limbs{none, none} : unresolved_limbs(surface, samples);
+  std::vector<Local_separator> separators = without_marked(
     without_marked(local_separators(candidates, surface, samples, overlaps, !is_frame,
                                     options.separators, concurrency),
-                   unresolved.is_unresolved);
+                   unresolved.is_of_twig),
+    unresolved.is_loose);
   const auto quotient_of = [&] {
     Surface_quotient quotient =
       surface_quotient(surface.patches, samples, overlaps, separators, concurrency);
-    quotient = unresolved.are_twigs
-                 ? with_line_trees(std::move(quotient), surface.patches, samples,
-                                   overlaps.pairs(), unresolved.is_unresolved)
-                 : with_path_trees(std::move(quotient), surface, samples, overlaps.pairs(),
-                                   unresolved.is_unresolved, concurrency);
+    quotient = with_line_trees(std::move(quotient), surface.patches, samples, overlaps.pairs(),
+                               unresolved.is_of_twig);
+    quotient = with_path_trees(std::move(quotient), surface, samples, overlaps.pairs(),
+                               unresolved.is_loose, concurrency);
     quotient = with_handle_fronts(std::move(quotient), separators, surface.patches, samples,
                                   overlaps.pairs());
     move_inside(quotient, surface, samples, concurrency);
