@@ -173,6 +173,11 @@ Surface_quotient one_piece(const Patches& patches, const Samples& samples)
   return result;
 }
 
+std::vector<bool> none_of(const Patches& patches)
+{
+  return std::vector<bool>(patches.size(), false);
+}
+
 } // namespace
 
 TEST_CASE("A torus with separators is a cycle, however many they are")
@@ -528,6 +533,34 @@ TEST_CASE("A path ends where what follows was seen less than is missing before i
   }
 }
 
+TEST_CASE("What is missing before a twig is made up for by all of its branches")
+{
+  constexpr int limb = 60;
+  constexpr double gap = 3.4;
+  for(const std::size_t branches : {1, 2}) { // each shorter than the gap
+    CAPTURE(branches);
+    std::vector<Vector3> places;
+    for(int k = 0; k < limb; ++k)
+      places.emplace_back(k, 0, 0);
+    for(int k = branches == 1 ? 0 : -3; k <= 3; ++k)
+      places.emplace_back(limb - 1 + gap, k, 0);
+    Patches patches(places.size());
+    for(std::size_t i = 0; i < patches.size(); ++i) {
+      patches[i].mean = places[i];
+      patches[i].spacing = patches[i].weight = patches[i].area = 1;
+    }
+    const Samples samples = surfaces::samples_of(patches);
+    const Skeleton_graph tree =
+      Path_trees(one_piece(patches, samples), surfaces::surface_of(patches), places, {},
+                 std::vector<bool>(patches.size(), true), Concurrency::sequential)
+        .run(samples)
+        .graph;
+    CHECK(number_of_components(tree) == 1);
+    CHECK(number_of_ends(tree) == branches + 1);
+    CHECK((tree.vertices.size() == places.size()) == (branches == 2));
+  }
+}
+
 TEST_CASE("What is resolved is joined over a gap if as much as is missing was seen")
 {
   constexpr std::size_t limb = 60;
@@ -615,7 +648,7 @@ TEST_CASE("Trees of twigs have a vertex at each patch and close no cycle")
     const Surface_quotient quotient = quotient_of(tube, {4, 13, 22});
     const auto with_trees = [&](const std::vector<bool>& is_of_twig) {
       return with_line_trees(quotient, patches, surfaces::samples_of(patches),
-                             adjacent_pairs(patches), is_of_twig);
+                             adjacent_pairs(patches), {is_of_twig, none_of(patches)});
     };
     const Surface_quotient same = with_trees(std::vector<bool>(patches.size(), false));
     CHECK(same.graph.edges == quotient.graph.edges);
@@ -639,29 +672,36 @@ TEST_CASE("Trees of twigs have a vertex at each patch and close no cycle")
   }
 }
 
-TEST_CASE("A piece that is mostly of twigs is single points, one of a few twigs is not")
+TEST_CASE("A piece that is mostly of twigs is single points but for other limbs, others are not")
 {
   const Tube tube{false, 30};
   const Patches patches = tube.patches();
   const Surface_quotient quotient = quotient_of(tube, {4, 22});
   const std::size_t piece = quotient.vertex_of_patch[tube.index(12, 0)];
   const std::vector<std::size_t>& members = quotient.members[piece];
-  const auto number_alone = [&](int modulus, bool are_twigs) { // rings of twigs, of `modulus`
-    std::vector<bool> is_of_twig(patches.size(), false);
-    for(const std::size_t i : members)
-      is_of_twig[i] = (i / tube.index(1, 0) % static_cast<std::size_t>(modulus) == 0) == are_twigs;
+  const auto ring_of = [&](std::size_t i) { return i / tube.index(1, 0); };
+  const auto number_alone = [&](bool are_twigs, std::size_t loose_ring) { // of every third ring
+    std::vector<bool> is_of_twig(patches.size(), false), is_loose(patches.size(), false);
+    for(const std::size_t i : members) {
+      is_loose[i] = ring_of(i) == loose_ring;
+      is_of_twig[i] = !is_loose[i] && (ring_of(i) % 3 == 0) == are_twigs;
+    }
     const Surface_quotient trees =
       with_line_trees(quotient, patches, surfaces::samples_of(patches), adjacent_pairs(patches),
-                      is_of_twig);
+                      {is_of_twig, is_loose});
     CHECK(number_of_components(trees.graph) == 1);
     return std::count_if(members.begin(), members.end(), [&](std::size_t i) {
       return trees.members[trees.vertex_of_patch[i]].size() == 1;
     });
   };
-  CHECK(number_alone(3, false) == static_cast<std::ptrdiff_t>(members.size())); // two of three
-  const auto few = number_alone(3, true); // one of three
+  constexpr std::size_t no_ring = 0, ring_in_piece = 12;
+  const auto all = static_cast<std::ptrdiff_t>(members.size());
+  const auto around = static_cast<std::ptrdiff_t>(tube.index(1, 0));
+  CHECK(number_alone(false, no_ring) == all); // two of three
+  CHECK(number_alone(false, ring_in_piece) == all - around);
+  const auto few = number_alone(true, no_ring); // one of three
   CHECK(few > 0);
-  CHECK(2 * few < static_cast<std::ptrdiff_t>(members.size()));
+  CHECK(2 * few < all);
 }
 
 TEST_CASE("The middle of samples is not drawn away by one that went astray")

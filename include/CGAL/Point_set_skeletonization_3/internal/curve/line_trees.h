@@ -11,6 +11,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Refined_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/sample_kinds.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
 
@@ -27,11 +28,11 @@ namespace internal {
 class Line_trees
 {
 public:
-  /// Refers to all arguments. O(n).
+  /// Refers to all arguments but the last. O(n).
   Line_trees(const Surface_quotient& quotient, const Patches& patches,
-             const std::vector<Patch_pair>& pairs, const std::vector<bool>& is_of_twig)
+             const std::vector<Patch_pair>& pairs, const Unresolved_limbs& limbs)
     : quotient_(quotient), patches_(patches), pairs_(pairs),
-      is_replaced_(twigs_of_pieces(is_of_twig)), result_(quotient)
+      is_replaced_(twigs_of_pieces(limbs)), result_(quotient)
   {}
 
   /// Returns the quotient with trees of the patches of twigs. To be called once. O(n log n).
@@ -54,10 +55,12 @@ public:
 
 private:
   /// Which patches of pieces are of twigs, as many together as it takes to see a line: fewer are
-  /// straight by chance. In a piece that is mostly of twigs all are: where twigs are as close to
-  /// each other as their points, some seem to face another side, that of the next twig.
-  std::vector<bool> twigs_of_pieces(const std::vector<bool>& is_of_twig) const
+  /// straight by chance. In a piece that is mostly of twigs all are, but for limbs of another kind:
+  /// where twigs are as close to each other as their points, some seem to face another side, that
+  /// of the next twig.
+  std::vector<bool> twigs_of_pieces(const Unresolved_limbs& limbs) const
   {
+    const std::vector<bool>& is_of_twig = limbs.is_of_twig;
     Union_find lines(patches_.size());
     for(const Patch_pair& pair : pairs_)
       if(is_of_twig[pair.a] && is_of_twig[pair.b])
@@ -72,7 +75,7 @@ private:
     for(std::size_t v = 0; v < quotient_.members.size(); ++v)
       if(is_piece(v, quotient_) && are_mostly(quotient_.members[v], result))
         for(std::size_t i : quotient_.members[v])
-          result[i] = true;
+          result[i] = !limbs.is_loose[i];
     return result;
   }
 
@@ -90,15 +93,14 @@ private:
 /// where it touches them. Nothing was seen of these twigs from all sides: they close no cycle.
 /// O(n log n).
 /// \param pairs adjacent patches, `Ball_overlaps::pairs()`
-/// \param is_of_twig of each patch: on a line, or scattered
 inline Surface_quotient with_line_trees(Surface_quotient quotient, const Patches& patches,
                                         const Samples& samples,
                                         const std::vector<Patch_pair>& pairs,
-                                        const std::vector<bool>& is_of_twig)
+                                        const Unresolved_limbs& limbs)
 {
-  if(std::find(is_of_twig.begin(), is_of_twig.end(), true) == is_of_twig.end())
+  if(std::find(limbs.is_of_twig.begin(), limbs.is_of_twig.end(), true) == limbs.is_of_twig.end())
     return quotient;
-  return Line_trees(quotient, patches, pairs, is_of_twig).run(samples);
+  return Line_trees(quotient, patches, pairs, limbs).run(samples);
 }
 
 } // namespace internal

@@ -40,8 +40,9 @@ namespace internal {
 /// costs more than as many steps: they follow limbs and lead from one to another where they are
 /// closest. Of these paths, those are kept that lead to what is resolved, and then, the longest
 /// first, those that stick out of what was kept before by more than it is thick (TEASAR, Sato et
-/// al. 2000), both only as far as more of them was seen than is missing: what leads from leaf to
-/// leaf through the air is no limb. Each patch belongs to the vertex whose tube it is in.
+/// al. 2000), both only as far as more of them and of their branches was seen than is missing: what
+/// leads from leaf to leaf through the air is no limb. Each patch belongs to the vertex whose tube
+/// it is in.
 class Path_trees
 {
 public:
@@ -66,6 +67,7 @@ public:
     before_.resize(edges_.size());
     distance_.assign(edges_.size(), infinity);
     beyond_.resize(edges_.size());
+    branches_.resize(edges_.size());
     connect(concurrency);
   }
 
@@ -275,19 +277,32 @@ private:
     return box.diagonal().norm();
   }
 
+  /// How long a branch is at least: longer than the limb that it begins at is thick, and than
+  /// chance: half a spacing. `foot` is its first patch, after `before`.
+  double least_length(std::size_t foot, std::size_t before) const
+  {
+    return 2 * (std::max)(thickness_[foot], thickness_[before]) + patches_[foot].spacing / 2;
+  }
+
   /// Sets how much more was seen than is missing from each node on, along the best path away from
-  /// the start. `order` is what `spread()` returned.
+  /// the start and, as far as they are longer than the limb is thick, along all other branches.
+  /// `order` is what `spread()` returned.
   void look_beyond(const std::vector<std::size_t>& order)
   {
     for(std::size_t node : order)
-      beyond_[node] = 0;
+      beyond_[node] = branches_[node] = 0;
     for(auto node = order.rbegin(); node != order.rend(); ++node) {
+      beyond_[*node] += branches_[*node];
       if(*node >= patches_.size())
         beyond_[*node] += size_of_set(*node - patches_.size());
       if(is_start(*node))
         continue;
-      double& before = beyond_[node_before(*node)];
-      before = (std::max)(before, beyond_[*node] + seen_before(*node));
+      const Edge& edge = before_[*node];
+      const std::size_t before = node_before(*node);
+      const double here = beyond_[*node] + seen_before(*node), other = beyond_[before];
+      beyond_[before] = (std::max)(other, here);
+      branches_[before] +=
+        (std::max)(0.0, (std::min)(other, here) - least_length(edge.to, edge.from));
     }
   }
 
@@ -315,30 +330,27 @@ private:
       cover(patches_[i].mean, patches_[i].spacing, result_.vertex_of(i));
   }
 
-  /// Keeps the path to a patch, up to where most more of it was seen than is missing, if that is
-  /// more than the limb that it begins at is thick, and than chance: half a spacing.
+  /// Keeps the path to a patch, up to where most more of it and of its branches was seen than is
+  /// missing, if that is enough for a branch.
   void keep_if_long(std::size_t patch)
   {
     std::vector<std::size_t> path{patch};
     const std::size_t end = path_before(patch, path);
     const std::size_t foot = path.back(), before = before_[foot].from;
-    double excess = seen_between(foot, before), thickness = thickness_[foot];
-    if(is_loose_[before])
-      thickness = (std::max)(thickness, thickness_[before]);
-    else
-      excess = -missing(foot, before); // the way from the surface of what is resolved is no limb
+    double excess = is_loose_[before]
+                      ? seen_between(foot, before)
+                      : -missing(foot, before); // the way from what is resolved is no limb
     double most = excess;
     std::size_t last = path.size() - 1;
     for(std::size_t k = last; k-- > 0;) {
-      excess += seen_between(path[k], path[k + 1]);
+      excess += seen_between(path[k], path[k + 1]) + branches_[path[k]];
       if(excess >= most) {
         most = excess;
         last = k;
       }
     }
     path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(last));
-    const double spacing = (std::max)(patches_[foot].spacing, patches_[path.front()].spacing);
-    if(most > 2 * thickness + spacing / 2)
+    if(most > least_length(foot, before))
       keep_path(path, end);
   }
 
@@ -361,6 +373,7 @@ private:
   std::vector<Edge> before_; ///< From the node before it, on the path to it.
   std::vector<std::size_t> reached_;
   std::vector<double> beyond_; ///< How much more was seen from it on than is missing.
+  std::vector<double> branches_; ///< The same of all branches that begin at it, but the best one.
 
   // Of each loose patch.
   std::vector<std::size_t> owner_; ///< The vertex that it belongs to.

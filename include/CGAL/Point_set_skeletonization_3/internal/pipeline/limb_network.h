@@ -145,7 +145,7 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
     Surface_quotient quotient =
       surface_quotient(surface.patches, samples, overlaps, separators, concurrency);
     quotient = with_line_trees(std::move(quotient), surface.patches, samples, overlaps.pairs(),
-                               unresolved.is_of_twig);
+                               unresolved);
     quotient = with_path_trees(std::move(quotient), surface, samples, overlaps.pairs(),
                                unresolved.is_loose, concurrency);
     quotient = with_handle_fronts(std::move(quotient), separators, surface.patches, samples,
