@@ -161,16 +161,23 @@ Made_up_quotient two_limbs()
   return result;
 }
 
+/// A quotient of pieces that are not connected.
+Surface_quotient pieces_of(const std::vector<std::size_t>& vertex_of_patch, const Patches& patches,
+                           const Samples& samples)
+{
+  Surface_quotient result;
+  result.vertex_of_patch = vertex_of_patch;
+  result.members = patches_of_vertices(
+    vertex_of_patch, 1 + *std::max_element(vertex_of_patch.begin(), vertex_of_patch.end()));
+  for(const std::vector<std::size_t>& members : result.members)
+    result.graph.vertices.push_back(middle(members, patches, samples));
+  return result;
+}
+
 /// A quotient with one vertex.
 Surface_quotient one_piece(const Patches& patches, const Samples& samples)
 {
-  Surface_quotient result;
-  result.vertex_of_patch.assign(patches.size(), 0);
-  result.members.resize(1);
-  for(std::size_t i = 0; i < patches.size(); ++i)
-    result.members[0].push_back(i);
-  result.graph.vertices = {middle(result.members[0], patches, samples)};
-  return result;
+  return pieces_of(std::vector<std::size_t>(patches.size(), 0), patches, samples);
 }
 
 std::vector<bool> none_of(const Patches& patches)
@@ -437,8 +444,9 @@ TEST_CASE("A cluster in the tube of a limb that it is not connected with belongs
   const Surface_quotient piece = one_piece(patches, samples);
   const std::vector<bool> is_loose(patches.size(), true);
   const Surface_quotient trees =
-    Path_trees(piece, surfaces::surface_of(patches), places, {}, is_loose, Concurrency::sequential)
-      .run(samples);
+    Path_trees(piece, surfaces::surface_of(patches), samples, places, {}, is_loose,
+               Concurrency::sequential)
+      .run();
   CHECK(number_of_components(trees.graph) == 1);
   for(std::size_t i = 0; i < patches.size(); ++i) {
     REQUIRE(trees.vertex_of_patch[i] < trees.members.size());
@@ -551,9 +559,9 @@ TEST_CASE("What is missing before a twig is made up for by all of its branches")
     }
     const Samples samples = surfaces::samples_of(patches);
     const Skeleton_graph tree =
-      Path_trees(one_piece(patches, samples), surfaces::surface_of(patches), places, {},
+      Path_trees(one_piece(patches, samples), surfaces::surface_of(patches), samples, places, {},
                  std::vector<bool>(patches.size(), true), Concurrency::sequential)
-        .run(samples)
+        .run()
         .graph;
     CHECK(number_of_components(tree) == 1);
     CHECK(number_of_ends(tree) == branches + 1);
@@ -579,12 +587,63 @@ TEST_CASE("What is resolved is joined over a gap if as much as is missing was se
     }
     std::vector<bool> is_loose(patches.size(), true);
     std::fill_n(is_loose.rbegin(), beyond, false);
-    const Surface_quotient piece = one_piece(patches, surfaces::samples_of(patches));
+    const Samples samples = surfaces::samples_of(patches);
+    const Surface_quotient piece = one_piece(patches, samples);
     const Surface_quotient trees =
-      Path_trees(piece, surfaces::surface_of(patches), places, pairs, is_loose,
+      Path_trees(piece, surfaces::surface_of(patches), samples, places, pairs, is_loose,
                  Concurrency::sequential)
-        .run(surfaces::samples_of(patches));
+        .run();
     CHECK(number_of_components(trees.graph) == (static_cast<double>(beyond - 1) > gap ? 1 : 2));
+  }
+}
+
+TEST_CASE("Where a limb has no medial balls, trees join its parts, not where both sides have some")
+{
+  // Two parts of a limb next to each other, and others, not resolved, from the end of one around to
+  // the beginning of the other.
+  constexpr std::size_t part = 30, limb = 2 * part, around = 50;
+  std::vector<Vector3> places;
+  for(std::size_t i = 0; i < limb; ++i)
+    places.emplace_back(i, 0, 0);
+  for(std::size_t k = 0; k < around; ++k) {
+    const double t = (static_cast<double>(k) + 1) / (around + 1) * CGAL_PI;
+    places.emplace_back(29.5 * (1 + std::cos(t)), 40 * std::sin(t), 0);
+  }
+  Patches patches(places.size());
+  std::vector<Patch_pair> pairs;
+  std::vector<std::size_t> piece_of_patch;
+  std::vector<bool> is_around;
+  for(std::size_t i = 0; i < patches.size(); ++i) {
+    patches[i].mean = places[i];
+    patches[i].spacing = patches[i].weight = patches[i].area = 1;
+    const std::size_t next = (i + 1) % patches.size();
+    pairs.push_back({static_cast<std::uint32_t>(std::min(i, next)),
+                     static_cast<std::uint32_t>(std::max(i, next))});
+    piece_of_patch.push_back(i < part ? 0 : i < limb ? 1 : 2);
+    is_around.push_back(i >= limb);
+  }
+  for(const bool have_balls : {false, true}) {
+    CAPTURE(have_balls);
+    Samples samples;
+    for(std::size_t i = 0; i < patches.size(); ++i)
+      samples.push_back(have_balls && !is_around[i] ? Sample{places[i] + Vector3(0, 0, 1), 1}
+                                                    : Sample{places[i], 0});
+    const Surface_quotient pieces = pieces_of(piece_of_patch, patches, samples);
+    const auto joins_parts = [&](const Surface_quotient& trees) {
+      CHECK(number_of_components(trees.graph) == 1);
+      CHECK(number_of_cycles(trees.graph) == 0);
+      const std::vector<Skeleton_graph::Edge>& edges = trees.graph.edges;
+      const std::size_t a = trees.vertex_of_patch[0], b = trees.vertex_of_patch[part];
+      return std::any_of(edges.begin(), edges.end(), [&](const Skeleton_graph::Edge& e) {
+        return std::minmax(e.first, e.second) == std::minmax(a, b);
+      });
+    };
+    const std::vector<bool> none = none_of(patches);
+    CHECK(joins_parts(Path_trees(pieces, surfaces::surface_of(patches), samples, places, pairs,
+                                 is_around, Concurrency::sequential)
+                        .run()) == !have_balls);
+    CHECK(joins_parts(with_line_trees(pieces, patches, samples, pairs, {is_around, none})) ==
+          !have_balls);
   }
 }
 

@@ -12,6 +12,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Spur_pruning.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/branches.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cstddef>
 #include <limits>
@@ -84,7 +86,8 @@ double slenderness(const Random_graph& input, const Branch& branch, double least
     Vector3 sum = Vector3::Zero();
     for(const Vector3& p : beyond)
       sum += p;
-    const Vector3 axis = sum.normalized();
+    const Vector3 way = vertex.position - input.graph.vertices[branch[k - 1]].position;
+    const Vector3 axis = (way + sum / static_cast<double>(beyond.size())).normalized();
     std::vector<double> lengths;
     for(const Vector3& p : beyond)
       lengths.push_back(p.norm());
@@ -304,6 +307,42 @@ TEST_CASE("A ring of a few points counts by its width across the limb, one of ma
   CHECK(is_kept(0.2, 2));
   CHECK_FALSE(is_kept(20, 2)); // wider than long
   CHECK_FALSE(is_kept(0.2, 4));
+}
+
+TEST_CASE("Of twigs of one place, what sticks out of the limb is kept, not what is along it")
+{
+  constexpr unsigned int seed = 7;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  for(int turn = 0; turn < 20; ++turn) { // rounding does not decide
+    CAPTURE(turn);
+    const Eigen::Quaterniond rotation =
+      Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
+        .normalized();
+    const auto is_kept = [&](const Vector3& direction) {
+      Skeleton_graph graph; // a limb of single points, and in its middle a place of three
+      Points points;
+      constexpr std::size_t length = 13, joint = 6;
+      for(std::size_t k = 0; k < length; ++k) {
+        graph.vertices.push_back(
+          {rotation * Vector3(static_cast<double>(k), 0, 0), 0, 1, true, true});
+        points.push_back({graph.vertices.back().position});
+        if(k > 0)
+          graph.edges.emplace_back(k - 1, k);
+      }
+      const Vector3 middle(joint, 1, 0);
+      graph.vertices.push_back({rotation * middle, 0, 1, true, true});
+      points.emplace_back();
+      for(const double side : {-1., 0., 1.})
+        points.back().push_back(rotation * (middle + side * direction));
+      graph.edges.emplace_back(joint, length);
+      return !Spur_pruning(graph, points, Curve_options()).spurs()[length];
+    };
+    CHECK(is_kept(Vector3(0, 0.7, 0)));
+    CHECK_FALSE(is_kept(Vector3(0.7, 0, 0)));
+    CHECK_FALSE(is_kept(Vector3(0, 0, 0.7)));
+  }
 }
 
 TEST_CASE("A graph without edges has no spurs")

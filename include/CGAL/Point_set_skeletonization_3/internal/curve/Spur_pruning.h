@@ -305,7 +305,8 @@ private:
       beyond.insert(beyond.end(), points.begin(), points.end());
       limb.push_back(v);
       if(vertex.is_cross_section && !points.empty())
-        result = (std::max)(result, slenderness(vertex.position, points, beyond, v));
+        result = (std::max)(result, slenderness(vertex.position, points, beyond, v,
+                                                graph_.vertices[w].position));
     }
     const bool has_root = for_rings_ && !graph_.vertices[junction].is_cross_section &&
                           std::none_of(limb.begin(), limb.end(), [this](std::size_t v) {
@@ -323,7 +324,8 @@ private:
                  const Vector3 sum = std::accumulate(ring.begin(), ring.end(),
                                                      Vector3(Vector3::Zero()));
                  const Vector3 middle = sum / static_cast<double>(ring.size());
-                 result = (std::max)(result, slenderness(middle, ring, beyond, limb.back()));
+                 result = (std::max)(result,
+                                     slenderness(middle, ring, beyond, limb.back(), middle));
                });
     return result;
   }
@@ -334,13 +336,15 @@ private:
 
   /// The ratio of the length beyond a ring to half its width. The ring is one of them. One of fewer
   /// points than it takes to go around a limb shows no plane, and may be as long as the limb is
-  /// wide: its width is that across the direction to what is beyond. `v` is the vertex of the ring.
+  /// wide: its width is that across the direction from the place before it to what is beyond. (The
+  /// direction from its middle is none if it is all there is beyond.) `v` is the vertex of the ring.
   double slenderness(const Vector3& middle, const std::vector<Vector3>& ring,
-                     const std::vector<Vector3>& beyond, std::size_t v) const
+                     const std::vector<Vector3>& beyond, std::size_t v,
+                     const Vector3& before) const
   {
     const Vector3 sum = std::accumulate(beyond.begin(), beyond.end(), Vector3(Vector3::Zero()));
     const bool is_plane = static_cast<double>(ring.size()) >= options_.least_points;
-    const Vector3 axis = (sum / static_cast<double>(beyond.size()) - middle).normalized();
+    const Vector3 axis = (sum / static_cast<double>(beyond.size()) - before).normalized();
     double width = least_width(v);
     for(const Vector3& p : ring) {
       const Vector3 offset = p - middle;

@@ -42,9 +42,11 @@ public:
     for(std::size_t i = 0; i < is_replaced_.size(); ++i)
       if(is_replaced_[i])
         result_.add_to_front(result_.add_front_at(patches_[i].mean), i);
+    const auto is_measured = [&](std::size_t i) { return is_off_surface(samples[i], patches_[i]); };
     std::vector<Bridge> bridges;
     for(const Patch_pair& pair : pairs_)
-      if(is_replaced_[pair.a] || is_replaced_[pair.b])
+      if(is_replaced_[pair.a] || is_replaced_[pair.b] ||
+         !(is_measured(pair.a) && is_measured(pair.b)))
         bridges.push_back({result_.vertex_of(pair.a), result_.vertex_of(pair.b),
                            (patches_[pair.a].mean - patches_[pair.b].mean).norm()});
     for(const Bridge& added :
@@ -91,7 +93,8 @@ private:
 /// twigs, all of them are one piece, with the limb that they grow on. What runs through such points
 /// is their minimum spanning tree, joined to the limbs around, and to what is left of the piece,
 /// where it touches them. Nothing was seen of these twigs from all sides: they close no cycle.
-/// O(n log n).
+/// Limbs that touch where one has no medial ball may be one: they are joined there, rather than
+/// over a longer way by twigs. O(n log n).
 /// \param pairs adjacent patches, `Ball_overlaps::pairs()`
 inline Surface_quotient with_line_trees(Surface_quotient quotient, const Patches& patches,
                                         const Samples& samples,

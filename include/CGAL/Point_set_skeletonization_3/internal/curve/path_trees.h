@@ -48,11 +48,11 @@ class Path_trees
 public:
   /// `places` are those of the patches, of loose ones in the middle of their limb. Refers to all
   /// other arguments but the last. O(n log n).
-  Path_trees(const Surface_quotient& quotient, const Surface& surface, std::vector<Vector3> places,
-             const std::vector<Patch_pair>& pairs, const std::vector<bool>& is_loose,
-             Concurrency concurrency)
-    : patches_(surface.patches), gaps_(surface, concurrency), places_(std::move(places)),
-      is_loose_(is_loose), tree_(places_, concurrency), result_(quotient),
+  Path_trees(const Surface_quotient& quotient, const Surface& surface, const Samples& samples,
+             std::vector<Vector3> places, const std::vector<Patch_pair>& pairs,
+             const std::vector<bool>& is_loose, Concurrency concurrency)
+    : patches_(surface.patches), samples_(samples), gaps_(surface, concurrency),
+      places_(std::move(places)), is_loose_(is_loose), tree_(places_, concurrency), result_(quotient),
       set_of_patch_(patches_.size(), none), thickness_(patches_.size(), 0),
       owner_(patches_.size(), none), squared_distance_to_owner_(patches_.size(), infinity)
   {
@@ -72,7 +72,7 @@ public:
   }
 
   /// Returns the quotient with trees. To be called once. O(n log n) in practice.
-  Surface_quotient run(const Samples& samples)
+  Surface_quotient run()
   {
     for(std::size_t i = 0; i < patches_.size(); ++i)
       if(is_loose_[i] && owner_[i] == none)
@@ -80,7 +80,7 @@ public:
     for(std::size_t i = 0; i < patches_.size(); ++i)
       if(is_loose_[i] && !is_kept(i)) // it may be in the tube of a tree that has not reached it
         result_.add_to_front(owner_[i], i);
-    return result_.take(patches_, samples);
+    return result_.take(patches_, samples_);
   }
 
 private:
@@ -112,8 +112,18 @@ private:
 
   bool is_start(std::size_t node) const { return distance_[node] == 0; }
 
-  /// Connects loose patches to their neighbours and measures how thick limbs are there: the
-  /// root mean square distance of the patches from the middle.
+  /// Whether what is resolved may be one limb at two patches: not if both have medial balls, and
+  /// yet are not in one set.
+  bool may_be_cut(std::size_t i, std::size_t j) const
+  {
+    const auto is_measured = [this](std::size_t k) {
+      return is_off_surface(samples_[k], patches_[k]);
+    };
+    return set_of_patch_[i] != set_of_patch_[j] && !(is_measured(i) && is_measured(j));
+  }
+
+  /// Connects loose patches to their neighbours, and sets where they may be one limb. Measures how
+  /// thick limbs are at loose patches: the root mean square distance of the patches from the middle.
   void connect(Concurrency concurrency)
   {
     constexpr std::size_t neighbors = 14; // more than the 12 that surround a place in space
@@ -129,7 +139,8 @@ private:
         }
         const double spacing = (std::max)(patches_[i].spacing, patches_[j].spacing);
         const double length = std::sqrt(neighbor.squared_distance);
-        if(i == j || !(is_loose_[i] || is_loose_[j]) || length > widest_gap * spacing)
+        if(i == j || length > widest_gap * spacing ||
+           !(is_loose_[i] || is_loose_[j] || may_be_cut(i, j)))
           continue;
         const double gap = (std::max)(1.0, gaps_.between(i, j) / gaps_.grain(i, j));
         const auto cost = static_cast<float>(gap * gap * (std::max)(length, least_spacing));
@@ -355,6 +366,7 @@ private:
   }
 
   const Patches& patches_;
+  const Samples& samples_;
   const Component_gaps gaps_;
   const std::vector<Vector3> places_;
   const std::vector<bool>& is_loose_;
@@ -445,8 +457,8 @@ inline Surface_quotient with_path_trees(Surface_quotient quotient, const Surface
   for(std::size_t i = 0, k = 0; i < patches.size(); ++i)
     if(is_loose[i])
       places[i] = loose[k++];
-  return Path_trees(quotient, surface, std::move(places), pairs, is_loose, concurrency)
-    .run(samples);
+  return Path_trees(quotient, surface, samples, std::move(places), pairs, is_loose, concurrency)
+    .run();
 }
 
 } // namespace internal
