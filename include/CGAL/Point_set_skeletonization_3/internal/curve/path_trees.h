@@ -296,8 +296,9 @@ private:
   }
 
   /// Sets how much more was seen than is missing from each node on, along the best path away from
-  /// the start and, as far as they are longer than the limb is thick, along all other branches.
-  /// `order` is what `spread()` returned.
+  /// the start and along all other branches, less what a branch is long at least and than its first
+  /// patch: of a wide leaf, branches that are no longer will be pruned. `order` is what `spread()`
+  /// returned.
   void look_beyond(const std::vector<std::size_t>& order)
   {
     for(std::size_t node : order)
@@ -312,8 +313,8 @@ private:
       const std::size_t before = node_before(*node);
       const double here = beyond_[*node] + seen_before(*node), other = beyond_[before];
       beyond_[before] = (std::max)(other, here);
-      branches_[before] +=
-        (std::max)(0.0, (std::min)(other, here) - least_length(edge.to, edge.from));
+      const double least = least_length(edge.to, edge.from) + patches_[edge.to].spacing;
+      branches_[before] += (std::max)(0.0, (std::min)(other, here) - least);
     }
   }
 
