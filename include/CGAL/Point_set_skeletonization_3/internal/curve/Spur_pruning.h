@@ -336,8 +336,8 @@ private:
 
   /// The ratio of the length beyond a ring to half its width. The ring is one of them. One of fewer
   /// points than it takes to go around a limb shows no plane, and may be as long as the limb is
-  /// wide: its width is that across the direction from the place before it to what is beyond. (The
-  /// direction from its middle is none if it is all there is beyond.) `v` is the vertex of the ring.
+  /// wide: its width is that across the direction from the place before it to what is beyond. (If
+  /// it is all there is beyond, the direction from its middle is none.) `v` is its vertex.
   double slenderness(const Vector3& middle, const std::vector<Vector3>& ring,
                      const std::vector<Vector3>& beyond, std::size_t v,
                      const Vector3& before) const

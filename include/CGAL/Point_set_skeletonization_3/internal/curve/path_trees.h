@@ -40,9 +40,9 @@ namespace internal {
 /// costs more than as many steps: they follow limbs and lead from one to another where they are
 /// closest. Of these paths, those are kept that lead to what is resolved, and then, the longest
 /// first, those that stick out of what was kept before by more than it is thick (TEASAR, Sato et
-/// al. 2000), both only as far as more of them and of their branches was seen than is missing: what
-/// leads from leaf to leaf through the air is no limb. Each patch belongs to the vertex whose tube
-/// it is in.
+/// al. 2000), both only as far as more of them and of their branches was seen than is missing:
+/// what leads from leaf to leaf through the air is no limb. Each patch belongs to the vertex whose
+/// tube it is in.
 class Path_trees
 {
 public:
@@ -52,7 +52,8 @@ public:
              std::vector<Vector3> places, const std::vector<Patch_pair>& pairs,
              const std::vector<bool>& is_loose, Concurrency concurrency)
     : patches_(surface.patches), samples_(samples), gaps_(surface, concurrency),
-      places_(std::move(places)), is_loose_(is_loose), tree_(places_, concurrency), result_(quotient),
+      places_(std::move(places)), is_loose_(is_loose), tree_(places_, concurrency),
+      result_(quotient),
       set_of_patch_(patches_.size(), none), thickness_(patches_.size(), 0),
       owner_(patches_.size(), none), squared_distance_to_owner_(patches_.size(), infinity)
   {
@@ -123,7 +124,7 @@ private:
   }
 
   /// Connects loose patches to their neighbours, and sets where they may be one limb. Measures how
-  /// thick limbs are at loose patches: the root mean square distance of the patches from the middle.
+  /// thick limbs are at loose patches: their root mean square distance from the middle.
   void connect(Concurrency concurrency)
   {
     constexpr std::size_t neighbors = 14; // more than the 12 that surround a place in space
@@ -386,7 +387,7 @@ private:
   std::vector<Edge> before_; ///< From the node before it, on the path to it.
   std::vector<std::size_t> reached_;
   std::vector<double> beyond_; ///< How much more was seen from it on than is missing.
-  std::vector<double> branches_; ///< The same of all branches that begin at it, but the best one.
+  std::vector<double> branches_; ///< The same of all branches that begin at it but the best.
 
   // Of each loose patch.
   std::vector<std::size_t> owner_; ///< The vertex that it belongs to.
