@@ -19,10 +19,18 @@
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 namespace {
 
 using Transformation = Kernel::Aff_transformation_3;
+
+Transformation random_turn(unsigned int seed)
+{
+  const Eigen::Matrix3d r = shapes::Random(seed).rotation();
+  return Transformation(r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1),
+                        r(2, 2));
+}
 
 double diagonal(const std::vector<Point>& points)
 {
@@ -67,12 +75,16 @@ Model read_model(const std::string& file, std::size_t number_of_points, unsigned
   return model;
 }
 
+std::vector<Point> turned(std::vector<Point> points, unsigned int seed)
+{
+  std::transform(points.begin(), points.end(), points.begin(), random_turn(seed));
+  return points;
+}
+
 Model turned(Model model, unsigned int seed)
 {
-  const Eigen::Matrix3d r = shapes::Random(seed).rotation();
-  const Transformation turn(r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1),
-                            r(2, 2));
-  std::transform(model.points.begin(), model.points.end(), model.points.begin(), turn);
+  const Transformation turn = random_turn(seed);
+  model.points = turned(std::move(model.points), seed);
   CGAL::Polygon_mesh_processing::transform(turn, model.mesh);
   for(Mesh& component : model.components)
     CGAL::Polygon_mesh_processing::transform(turn, component);

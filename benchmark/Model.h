@@ -30,7 +30,10 @@ struct Model
 /// \throw std::runtime_error
 Model read_model(const std::string& file, std::size_t number_of_points, unsigned int seed);
 
-/// In a random orientation. The diagonal stays as it is, and with it all that is measured in it.
+/// In a random orientation.
+std::vector<Point> turned(std::vector<Point> points, unsigned int seed);
+
+/// Likewise. The diagonal stays as it is, and with it all that is measured in it.
 Model turned(Model model, unsigned int seed);
 
 /// Isotropic Gaussian noise. \param deviation in the unit of the points

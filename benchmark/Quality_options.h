@@ -19,7 +19,7 @@ struct Quality_options
   std::vector<std::string> files;
   std::vector<std::string> meshes; ///< to be scanned
   std::vector<double> noise = {0, 0.005, 0.01}; ///< standard deviations, in diagonals
-  unsigned int turns = 0;                       ///< orientations of every model beside its own
+  unsigned int turns = 0;                       ///< orientations of every input beside its own
   bool mean_curvature_flow = false;
 
   int levels = 0; ///< of a tree; 0: the trees of the table

@@ -3,6 +3,7 @@
 
 #include "clouds.h"
 
+#include "Model.h"
 #include "Report.h"
 #include "measure.h"
 #include "read_points.h"
@@ -41,19 +42,29 @@ Cloud parse(const std::string& argument)
   return cloud;
 }
 
+/// \param variant of the cloud: how it lies
+void add_rows(const Cloud& cloud, const std::string& variant, const std::vector<Point>& points,
+              const Quality_options& options, std::vector<Row>& rows)
+{
+  for(const Outcome& outcome : skeletonize(points, options.as_published)) {
+    Row row;
+    row.shape = name_of(cloud.file);
+    row.variant = variant;
+    row.truth = cloud.truth;
+    measure(row, outcome, points);
+    write_miss(options.misses, row, outcome.skeleton, points);
+    rows.push_back(row);
+  }
+}
+
 std::vector<Row> rows_of(const Cloud& cloud, const Quality_options& options)
 {
   try {
     const std::vector<Point> points = read_points<Point>(cloud.file);
     std::vector<Row> rows;
-    for(const Outcome& outcome : skeletonize(points, options.as_published)) {
-      Row row;
-      row.shape = name_of(cloud.file);
-      row.truth = cloud.truth;
-      measure(row, outcome, points);
-      write_miss(options.misses, row, outcome.skeleton, points);
-      rows.push_back(row);
-    }
+    add_rows(cloud, "as it is", points, options, rows);
+    for(unsigned int turn = 1; turn <= options.turns; ++turn)
+      add_rows(cloud, "turn " + std::to_string(turn), turned(points, turn), options, rows);
     return rows;
   } catch(const std::exception& error) {
     return {failed_row(cloud.file, error)};
@@ -63,7 +74,7 @@ std::vector<Row> rows_of(const Cloud& cloud, const Quality_options& options)
 Layout layout()
 {
   using namespace columns;
-  return {{text("cloud", 20, &Row::shape), points(), text("method", 9, &Row::method), exact(),
+  return {{text("cloud", 20, &Row::shape), text("variant", 8, &Row::variant), points(), text("method", 9, &Row::method), exact(),
            count("comp", &Graph_counts::components), truth("comp_true", &Truth::components),
            count("cycles", &Graph_counts::cycles), truth("cycles_true", &Truth::cycles),
            count("ends", &Graph_counts::ends), count("junctions", &Graph_counts::junctions),

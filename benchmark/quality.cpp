@@ -43,6 +43,13 @@ void add_points_option(CLI::App& command, Quality_options& options)
       ->check(CLI::Range(1, 100000000));
 }
 
+void add_turns_option(CLI::App& command, Quality_options& options)
+{
+  command.add_option("--turns", options.turns, "also every input in N random orientations [0]")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1000));
+}
+
 void add_seed_options(CLI::App& command, Quality_options& options, unsigned int seeds = 5)
 {
   command.preparse_callback([&options, seeds](std::size_t) { options.seeds = seeds; });
@@ -88,9 +95,7 @@ CLI::App* add_meshes(CLI::App& app, Quality_options& options)
       ->required();
   command->add_option("--noise", options.noise, "standard deviations, in diagonals [0,0.005,0.01]")
       ->delimiter(',');
-  command->add_option("--turns", options.turns, "also every model in N random orientations [0]")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1000));
+  add_turns_option(*command, options);
   command->add_flag("--mcf", options.mean_curvature_flow,
                     "also rows of CGAL's mean curvature flow on the mesh");
   add_points_option(*command, options);
@@ -103,6 +108,7 @@ CLI::App* add_clouds(CLI::App& app, Quality_options& options)
   CLI::App* command = app.add_subcommand("clouds", "raw clouds");
   command->add_option("FILES", options.files, "FILE, or FILE:COMPONENTS:CYCLES if they are known")
       ->required();
+  add_turns_option(*command, options);
   add_common_options(*command, options);
   return command;
 }
