@@ -9,6 +9,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/limb_evidence.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/open_loops.h>
+#include <CGAL/Point_set_skeletonization_3/internal/pipeline/limb_network.h>
 
 #include <CGAL/number_utils.h>
 
@@ -213,7 +214,7 @@ TEST_CASE("A loop has room for a hole if it is wider than its limbs and than gap
       graph.vertices[v].resolution = unit * spacing;
       loop.push_back(v);
     }
-    return has_room_for_hole(loop, graph);
+    return room_for_hole(loop, graph) >= 1;
   };
   const auto circle = [](double t) { return Vector3(std::cos(t), std::sin(t), 0); };
   CHECK(has_room(0.9, circle));
@@ -233,6 +234,29 @@ TEST_CASE("A loop has room for a hole if it is wider than its limbs and than gap
     return (1 + 0.01 * std::sin(t)) * Vector3(std::cos(angle), std::sin(angle), 0);
   };
   CHECK_FALSE(has_room(0.3, around_and_back)); // however the limb bends
+}
+
+TEST_CASE("The less of a loop in a tree was seen from all sides, the wider its hole must be")
+{
+  constexpr std::size_t size = 40;
+  const double unseen = GENERATE(0.0, 0.1, 0.2, 0.3, 0.4, 0.45, 0.6, 1.0); // share of the loop
+  const double radius = GENERATE(0.05, 0.3, 0.7, 1.2);
+  CAPTURE(unseen, radius);
+  Skeleton_graph graph = polygon(size, 0.9);
+  Loop loop(size);
+  std::iota(loop.begin(), loop.end(), std::size_t(0));
+  for(std::size_t v : loop) {
+    graph.vertices[v].is_cross_section = true;
+    graph.vertices[v].radius = radius;
+    graph.vertices[v].open = static_cast<double>(v) < unseen * size ? 1 : 0;
+  }
+  const auto is_kept = [&](Limb_reading reading, double least_evidence = 0.5) {
+    return is_loop(loop, graph, reading, least_evidence);
+  };
+  CHECK(is_kept(Limb_reading::frame) == (radius < 1));
+  CHECK(is_kept(Limb_reading::tree) == (radius < 1 - 2 * unseen));
+  CHECK_FALSE(is_kept(Limb_reading::known_tree));
+  CHECK_FALSE(is_kept(Limb_reading::frame, 0.95));
 }
 
 TEST_CASE("Between two loops are the edges of one of them, if they make a loop")
@@ -274,7 +298,7 @@ TEST_CASE("Two ways through one limb around a hole are one loop, two limbs are t
       vertex.radius = 0.2;
     }
     const Skeleton_graph opened = with_loops_opened(
-      graph, [&](const Loop& loop) { return has_room_for_hole(loop, graph); });
+      graph, [&](const Loop& loop) { return room_for_hole(loop, graph) >= 1; });
     CHECK(graph.edges.size() - opened.edges.size() == (inner > 0.5 ? 1 : 0));
   }
 }

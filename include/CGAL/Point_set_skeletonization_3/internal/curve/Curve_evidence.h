@@ -43,6 +43,10 @@ public:
   /// side: it may go on where nothing was seen.
   bool is_open() const { return open_ > 0.5 * length_; }
 
+  /// How much more of it was seen from all sides than was not: the difference of both shares of the
+  /// length, in [-1, 1]; 0 without edges.
+  double surplus() const { return length_ > 0 ? 1 - 2 * open_ / length_ : 0; }
+
 private:
   double length_ = 0, evidence_ = 0, open_ = 0; ///< The latter two are times the length.
 };

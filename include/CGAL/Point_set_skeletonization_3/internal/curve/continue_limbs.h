@@ -127,7 +127,7 @@ private:
   bool leaves_room(const Bridge& gap)
   {
     const Loop loop = loops_.closed_by({gap.a, gap.b});
-    return loop.empty() || has_room_for_hole(loop, graph_);
+    return loop.empty() || room_for_hole(loop, graph_) >= 1;
   }
 
   void add_edge(std::size_t v, std::size_t w)

@@ -81,14 +81,15 @@ inline double enclosed_area(const std::vector<Vector3>& polygon)
   return least;
 }
 
-/// Whether there is room for a hole in a loop: it is wider than its limbs are thick, and than three
-/// spacings. A limb that looks like two side by side, and two that touch twice, make loops without
-/// one, and narrower holes are gaps between points.
+/// How many times wider a loop is than its limbs are thick, and than three spacings: below 1 there is
+/// no room for a hole. A limb that looks like two side by side, and two that touch twice, make loops
+/// without one, and narrower holes are gaps between points.
 ///
 /// The radius of a circle is twice its area over its length. The same ratio is that of any loop; it
 /// is small where a loop only runs to and fro. It is compared with the mean radius at the
-/// separators: a sheet around a hole may be much wider than the hole. O(length of the loop).
-inline bool has_room_for_hole(const Loop& loop, const Skeleton_graph& graph)
+/// separators: a sheet around a hole may be much wider than the hole. Infinite if there are none.
+/// O(length of the loop).
+inline double room_for_hole(const Loop& loop, const Skeleton_graph& graph)
 {
   constexpr double no_hole = 1.5; // spacings: gaps in strips have up to 1.2, wire frames 40
   constexpr std::size_t places = 32; // a circle in such steps is exact to 1 %
@@ -106,8 +107,9 @@ inline bool has_room_for_hole(const Loop& loop, const Skeleton_graph& graph)
   visit_edges(loop, [&](std::size_t v, std::size_t w) {
     length += (graph.vertices[v].position - graph.vertices[w].position).norm();
   });
-  const double area = enclosed_area(evenly_along(polygon, places));
-  return 2 * area * separators >= radii * length;
+  const double limbs = radii * length;
+  return limbs > 0 ? 2 * enclosed_area(evenly_along(polygon, places)) * separators / limbs
+                   : std::numeric_limits<double>::infinity();
 }
 
 /// Returns the edges of a loop with their smaller ends first, in ascending order. O(n log n).

@@ -51,14 +51,18 @@ enum class Limb_reading
   known_tree, ///< The same, and nothing closes a loop.
 };
 
-/// Whether there is enough evidence for a loop, and room for a hole. In a tree it must have been
-/// seen from all sides. O(length of the loop).
+/// Whether there is enough evidence for a loop, and room for a hole. In a tree, what was not seen
+/// from all sides counts against what was, since a limb may end there, or have another way: the less
+/// of a loop was seen, the wider its hole must be, and of one that is kept more was seen than not.
+/// O(length of the loop).
 inline bool is_loop(const Loop& loop, const Skeleton_graph& graph, Limb_reading reading,
                     double least_evidence)
 {
   const Curve_evidence seen = evidence_along(loop, graph);
-  return reading != Limb_reading::known_tree && seen.evidence() >= least_evidence &&
-         (reading == Limb_reading::frame || !seen.is_open()) && has_room_for_hole(loop, graph);
+  if(reading == Limb_reading::known_tree || seen.evidence() < least_evidence)
+    return false;
+  const double share = reading == Limb_reading::frame ? 1 : seen.surplus();
+  return share * room_for_hole(loop, graph) >= 1;
 }
 
 /// Returns the separators that are not mostly of marked patches, in their order. O(n).
