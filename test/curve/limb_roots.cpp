@@ -35,6 +35,8 @@ struct Tube
   {
     quotient.graph.vertices.push_back({Vector3(x, 0, 0), 1, 0, is_cross_section});
     quotient.members.emplace_back();
+    quotient.piece_of.push_back(is_cross_section ? Surface_quotient::no_piece
+                                                 : quotient.members.size() - 1);
     return quotient.members.size() - 1;
   }
 
@@ -72,18 +74,26 @@ struct Tube
 
 /// A limb of radius 1 with its tip at x = 0 and a single separator, at x = 0.5; its root ends at
 /// `x = root`, where two other limbs begin, one on each side.
-Tube limb_with_root(double root)
+/// \param is_divided whether there are two fronts in the piece of the root
+Tube limb_with_root(double root, bool is_divided = false)
 {
   Tube tube;
   const std::size_t cap = tube.add_vertex(0, false), separator = tube.add_vertex(0.5, true);
-  const std::size_t piece = tube.add_vertex(root / 2 + 0.5, false);
+  const std::size_t piece = tube.add_vertex(root / 2 + 0.5, is_divided);
   tube.quotient.graph.edges = {{cap, separator}, {separator, piece}};
   tube.add_ring(cap, 0);
   tube.add_ring(separator, 0.5);
-  for(double x = 1; x < root; x += step)
-    tube.add_ring(piece, x);
+  std::size_t last = piece;
+  for(double x = 1; x < root; x += step) {
+    if(is_divided && last == piece && x > root / 2) {
+      last = tube.add_vertex(root / 2 + 1, true);
+      tube.quotient.graph.edges.emplace_back(piece, last);
+      tube.quotient.piece_of[last] = tube.quotient.piece_of[piece] = piece;
+    }
+    tube.add_ring(last, x);
+  }
   for(const double side : {-1, 1}) {
-    std::size_t before = piece;
+    std::size_t before = side < 0 ? piece : last;
     for(int k = 0; k < 20; ++k) {
       const std::size_t next = tube.add_vertex(root + k * step, k % 2 == 0);
       tube.quotient.graph.vertices[next].position.y() = 3 * side;
@@ -98,9 +108,9 @@ Tube limb_with_root(double root)
   return tube;
 }
 
-std::size_t number_of_tips_left(double root)
+std::size_t number_of_tips_left(double root, bool is_divided = false)
 {
-  const Tube tube = limb_with_root(root);
+  const Tube tube = limb_with_root(root, is_divided);
   const Skeleton_graph pruned =
     prune(tube.quotient, tube.patches, adjacent_pairs(tube.patches), tube.means(),
           Patch_groups(tube.patches.size()), Curve_options())
@@ -147,6 +157,12 @@ TEST_CASE("A limb is as long as its root makes it, whatever its only separator")
 {
   CHECK(number_of_tips_left(4) == 3);
   CHECK(number_of_tips_left(1.5) == 2); // half as long as wide
+}
+
+TEST_CASE("The root of a limb is the whole piece, however fronts around a handle divide that")
+{
+  CHECK(number_of_tips_left(4, true) == 3);
+  CHECK(number_of_tips_left(1.5, true) == 2);
 }
 
 } // namespace limb_roots_test

@@ -103,6 +103,7 @@ public:
     const std::size_t v = quotient.graph.vertices.size();
     quotient.graph.vertices.push_back({position, radius, 0, false});
     quotient.members.emplace_back();
+    quotient.piece_of.push_back(v);
     const Vector3 e1 = axis.unitOrthogonal(), e2 = axis.normalized().cross(e1);
     for(int k = 0; k < ring; ++k) {
       const Vector3 direction = surfaces::around(2 * CGAL_PI * k / ring);
@@ -169,8 +170,10 @@ Surface_quotient pieces_of(const std::vector<std::size_t>& vertex_of_patch, cons
   result.vertex_of_patch = vertex_of_patch;
   result.members = patches_of_vertices(
     vertex_of_patch, 1 + *std::max_element(vertex_of_patch.begin(), vertex_of_patch.end()));
-  for(const std::vector<std::size_t>& members : result.members)
+  for(const std::vector<std::size_t>& members : result.members) {
+    result.piece_of.push_back(result.graph.vertices.size());
     result.graph.vertices.push_back(middle(members, patches, samples));
+  }
   return result;
 }
 

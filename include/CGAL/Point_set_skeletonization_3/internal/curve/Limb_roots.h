@@ -21,7 +21,7 @@ namespace internal {
 
 /// The roots of limbs: a limb goes on beyond its last separator, in the piece that it sticks out of,
 /// up to where another limb begins. Separators are disjoint and few, so that a short limb may have a
-/// single one, near its tip.
+/// single one, near its tip. Fronts around a handle divide the piece for the curve only.
 class Limb_roots
 {
 public:
@@ -38,11 +38,15 @@ public:
   /// of the ring, and those of the piece from the limb to the ring, with it. A ring near the limb
   /// begins with the last patches of that, and so has no gap. O(n log n) for the n patches of the
   /// piece, and linear in n for each ring.
-  /// \param limb vertices of the limb from its tip; the last one is beside the piece
+  /// \param junction vertex of the piece; if it is of none, there is no root
+  /// \param limb vertices of the limb from its tip; the last one is beside the junction
   template <typename Visit>
-  void for_rings(std::size_t piece, const std::vector<std::size_t>& limb, const Visit& visit)
+  void for_rings(std::size_t junction, const std::vector<std::size_t>& limb, const Visit& visit)
   {
     constexpr double ring_width = 1.5; // spacings; adjacent patches are seldom further apart
+    const std::size_t piece = quotient_.piece_of[junction];
+    if(piece == Surface_quotient::no_piece)
+      return;
     const std::vector<std::size_t>& order = spread(piece, limb);
     const double reach = this->reach(piece, limb, order);
     double spacing = 0, number = 0;
@@ -80,17 +84,21 @@ private:
     return std::find(limb.begin(), limb.end(), quotient_.vertex_of_patch[patch]) != limb.end();
   }
 
+  bool is_of(std::size_t piece, std::size_t patch) const
+  {
+    return quotient_.piece_of[quotient_.vertex_of_patch[patch]] == piece;
+  }
+
   /// Finds the distances of the patches of a piece from a limb; returns them, the nearest first.
   const std::vector<std::size_t>& spread(std::size_t piece, const std::vector<std::size_t>& limb)
   {
-    const auto is_in_piece = [&](std::size_t i) { return quotient_.vertex_of_patch[i] == piece; };
     std::vector<Shortest_paths::Reached> start;
-    for(std::size_t i : quotient_.members[piece])
-      if(is_in_piece(i)) // the members of a piece without patches are those of its neighbours
+    for(std::size_t v : limb)
+      for(std::size_t i : quotient_.members[v])
         for(const auto& edge : graph_[i])
-          if(is_in(limb, edge.patch))
-            start.emplace_back(edge.length, i);
-    return paths_.spread(start, is_in_piece);
+          if(quotient_.vertex_of_patch[i] == v && is_of(piece, edge.patch))
+            start.emplace_back(edge.length, edge.patch);
+    return paths_.spread(start, [&](std::size_t i) { return is_of(piece, i); });
   }
 
   /// The distance from the limb at which another begins, or the piece ends. \pre spread()
@@ -100,7 +108,7 @@ private:
     double result = order.empty() ? 0 : paths_.distance(order.back());
     for(std::size_t i : order)
       for(const auto& edge : graph_[i])
-        if(quotient_.vertex_of_patch[edge.patch] != piece && !is_in(limb, edge.patch))
+        if(!is_of(piece, edge.patch) && !is_in(limb, edge.patch))
           result = (std::min)(result, paths_.distance(i) + static_cast<double>(edge.length));
     return result;
   }

@@ -120,6 +120,9 @@ public:
         }
       }
       result.members.push_back(std::move(members_[v]));
+      result.piece_of.push_back(result.graph.vertices.back().is_cross_section
+                                  ? Surface_quotient::no_piece
+                                  : index[v]);
     }
     for(const Skeleton_graph::Edge& e : edges_)
       result.graph.edges.emplace_back(index[e.first], index[e.second]);

@@ -37,7 +37,7 @@ class Spur_pruning
 public:
   using Visit_ring = std::function<void(const std::vector<Vector3>& ring,
                                         const std::vector<Vector3>& root)>;
-  using For_rings = std::function<void(std::size_t piece, const std::vector<std::size_t>& limb,
+  using For_rings = std::function<void(std::size_t junction, const std::vector<std::size_t>& limb,
                                        const Visit_ring& visit)>;
 
   /// `surface[v]` are the surface points of vertex v. Refers to all arguments. O(n).
@@ -308,7 +308,7 @@ private:
         result = (std::max)(result, slenderness(vertex.position, points, beyond, v,
                                                 graph_.vertices[w].position));
     }
-    const bool has_root = for_rings_ && !graph_.vertices[junction].is_cross_section &&
+    const bool has_root = for_rings_ &&
                           std::none_of(limb.begin(), limb.end(), [this](std::size_t v) {
                             return is_open(graph_.vertices[v]); // there is no ring around a strip
                           });

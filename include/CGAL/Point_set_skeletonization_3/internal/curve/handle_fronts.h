@@ -70,7 +70,14 @@ public:
       handles_around[handle.piece].push_back(handle);
     for(const auto& [piece, through] : ways)
       replace(piece, handles_around[piece], through);
-    return result_.take(patches_, samples);
+    Surface_quotient result = result_.take(patches_, samples);
+    std::map<std::size_t, std::size_t> first_fronts; // of each piece
+    for(std::size_t i = 0; i < patches_.size(); ++i)
+      if(const std::size_t piece = quotient_.vertex_of_patch[i]; ways.count(piece) > 0) {
+        const std::size_t front = result.vertex_of_patch[i];
+        result.piece_of[front] = first_fronts.emplace(piece, front).first->second;
+      }
+    return result;
   }
 
 private:

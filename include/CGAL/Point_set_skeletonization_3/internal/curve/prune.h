@@ -97,11 +97,11 @@ inline Pruned_quotient prune(const Surface_quotient& quotient, const Patches& pa
       result.is_stray[v] = false;
   }
   std::optional<Limb_roots> roots; // few shapes have branches that take a look at them
-  const auto for_rings = [&](std::size_t piece, const std::vector<std::size_t>& limb,
+  const auto for_rings = [&](std::size_t junction, const std::vector<std::size_t>& limb,
                              const Spur_pruning::Visit_ring& visit) {
     if(!roots)
       roots.emplace(quotient, patches, pairs, components, groups);
-    roots->for_rings(piece, limb, visit);
+    roots->for_rings(junction, limb, visit);
   };
   std::vector<bool> removed = Spur_pruning(graph, points, options, for_rings).spurs();
   for(std::size_t v = 0; v < removed.size(); ++v)

@@ -43,6 +43,12 @@ struct Surface_quotient
   /// The patches in whose middle each vertex is: its own; of a piece without any, which is between
   /// adjacent separators, theirs.
   std::vector<std::vector<std::size_t>> members;
+
+  static constexpr std::size_t no_piece = (std::numeric_limits<std::size_t>::max)();
+
+  /// The piece that each vertex is: itself, or the first of the fronts around handles that a piece
+  /// was divided into; `no_piece` if it is none, as a separator.
+  std::vector<std::size_t> piece_of;
 };
 
 /// Cuts the surface along separators (union-find). Each separator is a vertex between the pieces on
@@ -246,6 +252,8 @@ inline Surface_quotient surface_quotient(const Patches& patches, const Samples& 
       middle(members[v], patches, samples, is_wide ? Average::mean : Average::median);
     result.graph.vertices[v].is_cross_section = is_cross_section;
   });
+  for(std::size_t v = 0; v < members.size(); ++v)
+    result.piece_of.push_back(v < separators.size() ? Surface_quotient::no_piece : v);
   return result;
 }
 
