@@ -74,11 +74,11 @@ std::vector<Row> rows_of(const Cloud& cloud, const Quality_options& options)
 Layout layout()
 {
   using namespace columns;
-  return {{text("cloud", 20, &Row::shape), text("variant", 8, &Row::variant), points(), text("method", 9, &Row::method), exact(),
-           count("comp", &Graph_counts::components), truth("comp_true", &Truth::components),
-           count("cycles", &Graph_counts::cycles), truth("cycles_true", &Truth::cycles),
-           count("ends", &Graph_counts::ends), count("junctions", &Graph_counts::junctions),
-           spurs(), number("unexplained", &Row::unexplained, 4),
+  return {{text("cloud", 20, &Row::shape), text("variant", 8, &Row::variant), points(),
+           text("method", 9, &Row::method), exact(), count("comp", &Graph_counts::components),
+           truth("comp_true", &Truth::components), count("cycles", &Graph_counts::cycles),
+           truth("cycles_true", &Truth::cycles), count("ends", &Graph_counts::ends),
+           count("junctions", &Graph_counts::junctions), spurs(), number("unexplained", &Row::unexplained, 4),
            number("seconds", &Row::seconds, 2), text("status", 2, &Row::status)},
           {group_name(), group_method(), group_size(), share("exact%", &Row::exact),
            share("comp%", &Row::components_exact), share("cycles%", &Row::cycles_exact),
