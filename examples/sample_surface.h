@@ -7,13 +7,18 @@
 #include "read_points.h"
 
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/Polygon_2_algorithms.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Projection_traits_3.h>
 #include <CGAL/Random.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/point_generators_3.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 /// A power of two that is about the greatest coordinate of the points.
@@ -27,25 +32,58 @@ double magnitude_of(const std::vector<Point>& points)
   return greatest > 0 ? std::ldexp(1, std::ilogb(greatest)) : 1;
 }
 
-/// The triangles of a mesh that have an area, with coordinates divided by `unit`; a larger face is
-/// cut into a fan of them.
+/// The triangles that a face is cut into: a fan of them, unless one would turn back, as where the
+/// face is concave: then those of CGAL, which wants faces that do not cross themselves.
+template <typename Point>
+std::vector<typename CGAL::Kernel_traits<Point>::Kernel::Triangle_3>
+triangles_of(const std::vector<Point>& corners)
+{
+  using Traits = typename CGAL::Kernel_traits<Point>::Kernel;
+  std::vector<typename Traits::Triangle_3> fan, result;
+  std::vector<typename Traits::Vector_3> normals;
+  for(std::size_t i = 2; i < corners.size(); ++i) {
+    fan.emplace_back(corners[0], corners[i - 1], corners[i]);
+    normals.push_back(CGAL::cross_product(corners[i - 1] - corners[0], corners[i] - corners[0]));
+  }
+  const typename Traits::Vector_3 sum = std::accumulate(
+    normals.begin(), normals.end(), typename Traits::Vector_3(CGAL::NULL_VECTOR));
+  if(std::all_of(normals.begin(), normals.end(), [&](const auto& n) { return n * sum >= 0; }) ||
+     !CGAL::is_simple_2(corners.begin(), corners.end(), CGAL::Projection_traits_3<Traits>(sum)))
+    return fan;
+  CGAL::Surface_mesh<Point> face;
+  std::vector<CGAL::SM_Vertex_index> vertices;
+  for(const Point& p : corners)
+    vertices.push_back(face.add_vertex(p));
+  face.add_face(vertices);
+  if(!CGAL::Polygon_mesh_processing::triangulate_faces(face))
+    return fan;
+  for(const auto triangle : face.faces()) {
+    std::vector<Point> points;
+    for(const auto v : face.vertices_around_face(face.halfedge(triangle)))
+      points.push_back(face.point(v));
+    result.emplace_back(points[0], points[1], points[2]);
+  }
+  return result;
+}
+
+/// The triangles of a mesh that have an area, with coordinates divided by `unit`.
 template <typename Point>
 std::vector<typename CGAL::Kernel_traits<Point>::Kernel::Triangle_3>
 triangles_of(const Points_and_faces<Point>& mesh, double unit)
 {
   using Triangle = typename CGAL::Kernel_traits<Point>::Kernel::Triangle_3;
-  std::vector<Triangle> triangles;
-  const auto corner = [&](std::size_t v) {
-    const Point& p = mesh.points[v];
-    return Point(p.x() / unit, p.y() / unit, p.z() / unit);
-  };
-  for(const std::vector<std::size_t>& face : mesh.faces)
-    for(std::size_t i = 2; i < face.size(); ++i) {
-      const Triangle triangle(corner(face[0]), corner(face[i - 1]), corner(face[i]));
-      if(triangle.squared_area() > 0)
-        triangles.push_back(triangle);
+  std::vector<Triangle> result;
+  for(const std::vector<std::size_t>& face : mesh.faces) {
+    std::vector<Point> corners;
+    for(std::size_t v : face) {
+      const Point& p = mesh.points[v];
+      corners.emplace_back(p.x() / unit, p.y() / unit, p.z() / unit);
     }
-  return triangles;
+    for(const Triangle& triangle : triangles_of(corners))
+      if(triangle.squared_area() > 0)
+        result.push_back(triangle);
+  }
+  return result;
 }
 
 /// Draws `size` points uniformly from the surface of a mesh, which need not be closed or manifold.
