@@ -42,7 +42,7 @@ Cloud parse(const std::string& argument)
   return cloud;
 }
 
-/// \param variant of the cloud: how it lies
+/// \param variant how the cloud was turned; empty if it was not
 void add_rows(const Cloud& cloud, const std::string& variant, const std::vector<Point>& points,
               const Quality_options& options, std::vector<Row>& rows)
 {
@@ -62,7 +62,7 @@ std::vector<Row> rows_of(const Cloud& cloud, const Quality_options& options)
   try {
     const std::vector<Point> points = read_points<Point>(cloud.file);
     std::vector<Row> rows;
-    add_rows(cloud, "as it is", points, options, rows);
+    add_rows(cloud, "", points, options, rows);
     for(unsigned int turn = 1; turn <= options.turns; ++turn)
       add_rows(cloud, "turn " + std::to_string(turn), turned(points, turn), options, rows);
     return rows;

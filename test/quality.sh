@@ -177,4 +177,9 @@ has method 2 published
 has comp_true 3 5
 has exact 3 NO
 check "a miss is written" test -s misses/a_cloud.xyz -a -s misses/a_cloud_default.ply
+accepts clouds cloud.xyz "a cloud.xyz" --turns 2 --csv table.csv
+check "a head and a row for every cloud in every orientation" test "$(wc -l < table.csv)" = 7
+has points 6 600
+has variant 4 ""
+has variant 6 "turn 2"
 finish
