@@ -120,20 +120,25 @@ inline std::vector<bool> unresolved_patches(const Surface& surface, const Sample
   return result;
 }
 
-/// How many components there are around some patches, within one spacing and within two.
+/// How many components there are around some patches, within one, two and four spacings.
 struct Components_around
 {
-  double near = 0, all = 0;
+  double one = 0, two = 0, four = 0;
 
   void add(const Components_around& other)
   {
-    near += other.near;
-    all += other.all;
+    one += other.one;
+    two += other.two;
+    four += other.four;
   }
 
-  /// The exponent by which their number grows (correlation dimension, Grassberger and Procaccia
-  /// 1983): 1 on lines, 2 on surfaces, 3 in space, also if there are none.
-  double dimension() const { return near > 0 ? std::log2(all / near) : 3; }
+  /// The exponent by which their number grows from one spacing to two (correlation dimension,
+  /// Grassberger and Procaccia 1983): 1 on lines, 2 on surfaces, 3 in space and if there are none.
+  double dimension() const { return one > 0 ? std::log2(two / one) : 3; }
+
+  /// The same from one spacing to four: of a whole cloud, where it depends less on how components
+  /// happen to lie.
+  double dimension_of_cloud() const { return one > 0 ? std::log2(four / one) / 2 : 3; }
 };
 
 /// Returns the components around each marked patch; none around others. O(n log n).
@@ -145,11 +150,14 @@ inline std::vector<Components_around> components_around(const Surface& surface,
     if(!is_marked[i])
       continue;
     const double spacing = surface.patches[i].resolution();
-    result[i] = {-1, -1}; // without itself, or one of the components that it consists of
-    surface.component_tree.visit_within(surface.patches[i].mean, 2 * spacing,
+    Components_around& around = result[i];
+    around = {-1, -1, -1}; // without itself, or one of the components that it consists of
+    surface.component_tree.visit_within(surface.patches[i].mean, 4 * spacing,
                                         [&](std::size_t, double squared_distance) {
-                                          result[i].near += squared_distance <= spacing * spacing;
-                                          ++result[i].all;
+                                          const double distance = std::sqrt(squared_distance);
+                                          around.one += distance <= spacing;
+                                          around.two += distance <= 2 * spacing;
+                                          ++around.four;
                                         });
   }
   return result;
@@ -168,9 +176,9 @@ struct Unresolved_limbs
 inline Unresolved_limbs without_twigs(const Surface& surface, const Samples& samples,
                                       std::vector<bool> is_unresolved)
 {
-  // Of scanned trees whose twigs are thinner, without noise, 1.6 to 1.9; of real trees with leaves
-  // 1.95 and 2.4, of simulated crowns 1.8 to 2.6, of narrow sheets 1.9 to 2.4.
-  constexpr double of_twigs = 1.9, of_surface = 2;
+  // Of scanned trees whose twigs are thinner, 1.4 to 1.72; of real trees 1.76 to 1.85 and 2.35 to
+  // 2.38, however they are turned, of simulated crowns 1.5 to 2.3, of narrow sheets 1.6 to 2.
+  constexpr double of_twigs = 1.74, of_surface = 2;
   const std::size_t size = is_unresolved.size();
   Unresolved_limbs result{std::vector<bool>(size, false), std::move(is_unresolved)};
   const std::vector<bool>& loose = result.is_loose;
@@ -181,7 +189,7 @@ inline Unresolved_limbs without_twigs(const Surface& surface, const Samples& sam
   Components_around all;
   for(const Components_around& one : around)
     all.add(one);
-  if(all.dimension() >= of_twigs)
+  if(all.dimension_of_cloud() >= of_twigs)
     return result;
   result.is_of_twig = twig_patches(surface, samples);
   for(std::size_t i = 0; i < size; ++i) {
