@@ -154,9 +154,9 @@ inline std::vector<Components_around> components_around(const Surface& surface,
     around = {-1, -1, -1}; // without itself, or one of the components that it consists of
     surface.component_tree.visit_within(surface.patches[i].mean, 4 * spacing,
                                         [&](std::size_t, double squared_distance) {
-                                          const double distance = std::sqrt(squared_distance);
-                                          around.one += distance <= spacing;
-                                          around.two += distance <= 2 * spacing;
+                                          const double squared = spacing * spacing;
+                                          around.one += squared_distance <= squared;
+                                          around.two += squared_distance <= 4 * squared;
                                           ++around.four;
                                         });
   }
