@@ -176,7 +176,7 @@ struct Unresolved_limbs
 inline Unresolved_limbs without_twigs(const Surface& surface, const Samples& samples,
                                       std::vector<bool> is_unresolved)
 {
-  // Of scanned trees whose twigs are thinner, 1.4 to 1.72; of real trees 1.76 to 1.85 and 2.35 to
+  // Of most scanned trees whose twigs are thinner, 1.4 to 1.74; of real trees 1.76 to 1.85, 2.35 to
   // 2.38, however they are turned, of simulated crowns 1.5 to 2.3, of narrow sheets 1.6 to 2.
   constexpr double of_twigs = 1.74, of_surface = 2;
   const std::size_t size = is_unresolved.size();
