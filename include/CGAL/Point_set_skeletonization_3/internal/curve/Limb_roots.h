@@ -38,15 +38,14 @@ public:
   /// of the ring, and those of the piece from the limb to the ring, with it. A ring near the limb
   /// begins with the last patches of that, and so has no gap. O(n log n) for the n patches of the
   /// piece, and linear in n for each ring.
-  /// \param junction vertex of the piece; if it is of none, there is no root
+  /// \param junction vertex of the piece
   /// \param limb vertices of the limb from its tip; the last one is beside the junction
+  /// \pre the junction is of a piece
   template <typename Visit>
   void for_rings(std::size_t junction, const std::vector<std::size_t>& limb, const Visit& visit)
   {
     constexpr double ring_width = 1.5; // spacings; adjacent patches are seldom further apart
     const std::size_t piece = quotient_.piece_of[junction];
-    if(piece == Surface_quotient::no_piece)
-      return;
     const std::vector<std::size_t>& order = spread(piece, limb);
     const double reach = this->reach(piece, limb, order);
     double spacing = 0, number = 0;

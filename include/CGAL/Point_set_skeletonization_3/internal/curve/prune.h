@@ -99,6 +99,8 @@ inline Pruned_quotient prune(const Surface_quotient& quotient, const Patches& pa
   std::optional<Limb_roots> roots; // few shapes have branches that take a look at them
   const auto for_rings = [&](std::size_t junction, const std::vector<std::size_t>& limb,
                              const Spur_pruning::Visit_ring& visit) {
+    if(quotient.piece_of[junction] == Surface_quotient::no_piece)
+      return; // there is no root in a separator, nor in a twig
     if(!roots)
       roots.emplace(quotient, patches, pairs, components, groups);
     roots->for_rings(junction, limb, visit);
