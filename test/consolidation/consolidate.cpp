@@ -38,7 +38,13 @@ Consolidated_mixture consolidated(const Gaussians& mixture,
   return consolidate(mixture, no_cells, Consolidation_options(), concurrency);
 }
 
-Noise noise_of(const Gaussians& mixture)
+struct Measured_noise
+{
+  Noise noise;
+  double window; ///< Its radius.
+};
+
+Measured_noise measured_noise_of(const Gaussians& mixture)
 {
   constexpr auto concurrency = Concurrency::sequential;
   const Box_tree tree(means_of(mixture), concurrency);
@@ -50,7 +56,29 @@ Noise noise_of(const Gaussians& mixture)
   Scale_space space(mixture, tree, spacing, concurrency);
   const Moving_mixture moving = {mixture, means_of(mixture),
                                  std::vector<bool>(mixture.size(), false)};
-  return measure_noise(space, moving, nearest, Window_radii(spacing), Noise_options(), concurrency);
+  const Window_radii radii(spacing);
+  const Noise noise =
+    measure_noise(space, moving, nearest, radii, Noise_options(), concurrency);
+  return {noise, radii[noise.size]};
+}
+
+Noise noise_of(const Gaussians& mixture) { return measured_noise_of(mixture).noise; }
+
+/// Components around the wires of a square lattice, `across()` from the middle of a wire.
+Gaussians lattice(int meshes, int points_of_edge, Random& random,
+                  const std::function<Eigen::Vector2d()>& across)
+{
+  Gaussians result;
+  for(int axis = 0; axis < 2; ++axis)
+    for(int wire = 0; wire <= meshes; ++wire)
+      for(int k = 0; k < meshes * points_of_edge; ++k) {
+        const Eigen::Vector2d off = across();
+        Vector3 p(0, 0, off[1]);
+        p[axis] = random.uniform(0, meshes);
+        p[1 - axis] = wire + off[0];
+        result.push_back({1, p, Matrix3::Zero()});
+      }
+  return result;
 }
 
 bool is_outlier(const Consolidated_mixture& mixture, std::size_t i)
@@ -192,23 +220,45 @@ TEST_CASE("A lattice of thin tubes is no noise, one of lines in as much noise is
   for(unsigned seed = 0; seed < seeds; ++seed) {
     CAPTURE(seed, is_noisy);
     Random random(seed);
-    Gaussians lattice;
-    for(int axis = 0; axis < 2; ++axis)
-      for(int wire = 0; wire <= meshes; ++wire)
-        for(int k = 0; k < meshes * points_of_edge; ++k) {
-          const double angle = random.uniform(0, 2 * CGAL_PI);
-          const double across = is_noisy ? std::sqrt(0.5) * random.normal() : std::cos(angle),
-                       up = is_noisy ? std::sqrt(0.5) * random.normal() : std::sin(angle);
-          Vector3 p(0, 0, radius * up);
-          p[axis] = random.uniform(0, meshes);
-          p[1 - axis] = wire + radius * across;
-          lattice.push_back({1, p, Matrix3::Zero()});
-        }
-    const double noise = consolidated(lattice).noise;
+    const auto across = [&]() -> Eigen::Vector2d {
+      const double angle = random.uniform(0, 2 * CGAL_PI);
+      if(is_noisy)
+        return radius * std::sqrt(0.5) * Eigen::Vector2d(random.normal(), random.normal());
+      return radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    };
+    const double noise = consolidated(lattice(meshes, points_of_edge, random, across)).noise;
     if(is_noisy)
       CHECK(noise > 0.9);
     else
       CHECK(noise == 0);
+  }
+}
+
+TEST_CASE("A net in noise stays a net, which is no plane to any window")
+{
+  constexpr int meshes = 5, points_of_edge = 200;
+  const double noise = GENERATE(0.03, 0.06); // of meshes of width 1
+  for(unsigned seed = 0; seed < seeds; ++seed) {
+    CAPTURE(seed, noise);
+    Random random(seed);
+    const Gaussians net = lattice(meshes, points_of_edge, random, [&]() -> Eigen::Vector2d {
+      return noise * Eigen::Vector2d(random.normal(), random.normal());
+    });
+    const Measured_noise measured = measured_noise_of(net);
+    CHECK(measured.noise.strength == 1);
+    CHECK(measured.window < 0.5);
+    const Consolidated_mixture result = consolidated(net);
+    const auto off_wires = [](const Vector3& p) {
+      const double x = p[0] - std::round(p[0]), y = p[1] - std::round(p[1]);
+      return std::hypot(std::min(std::abs(x), std::abs(y)), p[2]);
+    };
+    CHECK(root_mean_square(kept(result, off_wires)) < noise);
+    const int wire = 2;
+    std::vector<double> along_wire;
+    for(const Gaussian& component : result.components)
+      if(std::abs(component.mean[1] - wire) < 2 * noise)
+        along_wire.push_back(component.mean[0]);
+    CHECK(widest_gap(along_wire) < 0.25);
   }
 }
 

@@ -340,6 +340,51 @@ TEST_CASE("Patches longer than a limb is wide are in one limb, those of limbs th
   CHECK(joined.find(0) != joined.find(limb));
 }
 
+TEST_CASE("A ball moves along the surface that it was found at until it touches a place")
+{
+  const Medial_ball ball{Vector3(1, 2, 3), 2, Vector3(0, 0, 2)}; // its surface is below
+  const auto center = [&](const Vector3& place) -> Vector3 {
+    return moved_to_touch(ball, ball.center + place).center - ball.center;
+  };
+  CHECK(center(Vector3(0.5, 1, -1)) == Vector3::Zero()); // it touches
+  CHECK((center(Vector3(7, 0, -2)) - Vector3(7, 0, 0)).norm() < 1e-12);   // along a limb,
+  CHECK((center(Vector3(0, -7, 2)) - Vector3(0, -7, 0)).norm() < 1e-12);  // also opposite,
+  CHECK((center(Vector3(7, 0, 0)) - Vector3(5, 0, 0)).norm() < 1e-12);    // beside it
+  CHECK((center(Vector3(0, 0, -5)) - Vector3(0, 0, -3)).norm() < 1e-12);  // below the surface
+  for(const Vector3& place : {Vector3(7, 1, -3), Vector3(2, 5, 1.5), Vector3(-3, 0, 4)})
+    CHECK((place - center(place)).norm() == Approx(ball.radius));
+}
+
+TEST_CASE("Balls guessed from both ends of what is unknown of a limb overlap")
+{
+  constexpr double length = 1.5; // of patches along a limb of radius 1
+  constexpr std::size_t around = 6, along = 6;
+  Patches patches;
+  Samples samples;
+  for(std::size_t k = 0; k < along * around; ++k) {
+    const double angle = 2 * CGAL_PI * static_cast<double>(k % around) / around;
+    const Vector3 axis = length * static_cast<double>(k / around) * Vector3::UnitX();
+    Patch patch;
+    patch.normal = Vector3(0, std::cos(angle), std::sin(angle));
+    patch.mean = axis + patch.normal;
+    patch.spacing = length;
+    patch.weight = patch.area = 1;
+    patches.push_back(patch);
+    const Vector3 off_axis = k / around < along / 2 ? Vector3(0, 0, 0.2) : Vector3(0, 0, -0.2);
+    const bool is_known = k / around < 2 || k / around >= along - 2;
+    samples.push_back(is_known ? Sample{axis + off_axis, 1} : Sample{patch.mean, 0});
+  }
+  for(std::size_t i = 0; i < patches.size(); ++i)
+    for(std::size_t j = 0; j < patches.size(); ++j)
+      if(i != j && (patches[i].mean - patches[j].mean).norm() < 1.1 * length)
+        patches[i].neighbors.push_back(j);
+  const Ball_overlaps overlaps = overlaps_of(surface_of(patches), samples);
+  for(std::size_t k = 0; k < overlaps.pairs().size(); ++k) {
+    CAPTURE(overlaps.pairs()[k].a, overlaps.pairs()[k].b);
+    CHECK(overlaps.are_in_one_limb(k));
+  }
+}
+
 TEST_CASE("In one limb all balls overlap, and an unknown one at least as one is told")
 {
   const Surface surface = surface_of(surfaces::tube.patches());

@@ -230,14 +230,28 @@ inline double variance_of_noise(double narrow, double wide)
   return (std::max)(0.0, (growth * narrow - wide) / (growth - 1));
 }
 
+/// Whether most windows reach beyond limbs as thin as they are: their density is less than it was in
+/// the next narrower ones. Around a component the weight in a window grows with the third power of
+/// its radius inside noise, with the second on a surface and along a limb with the first, until it
+/// sees the next limb: a net of limbs is a plane to wide windows, and the limbs are its noise.
+/// O(windows). \param narrower densities in the next narrower windows; none of the narrowest
+inline bool reach_beyond_limbs(const std::vector<double>& densities,
+                               const std::vector<double>& narrower)
+{
+  std::size_t number = 0;
+  for(std::size_t k = 0; k < narrower.size(); ++k)
+    number += densities[k] < narrower[k] ? 1 : 0;
+  return 2 * number > narrower.size();
+}
+
 /// Measures the noise. Noise makes narrow windows spherical; curvature and neighbouring sheets make
 /// wide ones spherical. A plane with noise of variance t^2, in a window in which it extends by w^2
 /// within the plane and the noise, if it is wide, as far across, has a sphericity s of about
 /// 1 / (1 + w^2 / t^2). So in a window wider by a factor r, s / (1 - s) is less by r^2; on a shape
 /// that looks alike at every scale it is the same. The window is the last up to which it falls by r
 /// or more each time: noise, not shape, explains what was seen. As long as the noise is wider than
-/// the window, any fall is enough: few components never look quite round. The lower quartile over
-/// the shape counts: noise is everywhere, and nearly every shape is smooth in a quarter of its
+/// the window, any fall is enough: few components never look quite round. Windows that show no plane
+/// yet must not reach beyond limbs, either. The lower quartile over the shape counts: noise is everywhere, and nearly every shape is smooth in a quarter of its
 /// surface. O(n log n). \pre nothing has moved yet
 inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
                            const K_nearest_neighbors& nearest, const Window_radii& radii,
@@ -247,13 +261,15 @@ inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
   constexpr double least = (std::numeric_limits<double>::min)(); // instead of 0
   Noise result;
   double last = std::numeric_limits<double>::infinity();
+  std::vector<double> narrower; // densities
   for(std::size_t size = 0; size < Window_radii::size; ++size) {
     const std::vector<Local_shape> shapes =
       local_shapes(space, moving, size, size == 0 ? 1 : every, concurrency);
-    std::vector<double> sphericities, variances;
+    std::vector<double> sphericities, variances, densities;
     for(std::size_t i = 0; i < shapes.size(); i += every) {
       sphericities.push_back(shapes[i].sphericity);
       variances.push_back(shapes[i].variance);
+      densities.push_back(shapes[i].density);
     }
     const double sphericity = quantile(sphericities, quarter_of_shape);
     if(size == 0) {
@@ -271,11 +287,14 @@ inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
     const double least_fall = odds < 1 ? Window_radii::ratio : 1;
     if(odds * least_fall >= last) // also on a line of points: no normal at any size
       break;
+    if(sphericity > options.flat() && reach_beyond_limbs(densities, narrower))
+      break;
     result.size = size;
     result.variance = variance; // until the next window tells how much of it is curvature
     if(result.strength == 0)
       break;
     last = odds;
+    narrower = std::move(densities);
   }
   return result;
 }

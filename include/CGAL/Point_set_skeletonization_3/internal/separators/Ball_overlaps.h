@@ -32,15 +32,25 @@ struct Medial_ball
   Vector3 offset = Vector3::Zero();
 };
 
-/// Returns a ball moved straight towards `place` until it touches it, if it is further away.
+/// Returns a ball moved until it touches `place`, if it is further away: along the surface that it
+/// was found at, across which it is where the limb has it, and only as far as that does not take it
+/// there across it.
 inline Medial_ball moved_to_touch(const Medial_ball& ball, const Vector3& place)
 {
   const Vector3 way = place - ball.center;
-  const double distance = way.norm();
-  return distance > ball.radius
-           ? Medial_ball{ball.center + (1 - ball.radius / distance) * way, ball.radius,
-                         ball.offset}
-           : ball;
+  if(!(way.norm() > ball.radius))
+    return ball;
+  const Vector3 inwards = ball.offset.normalized();
+  const double height = inwards.dot(way), within = std::clamp(height, -ball.radius, ball.radius);
+  const Vector3 along = way - height * inwards;
+  const double length = along.norm();
+  // Of the circle in which the ball meets the plane along the surface through the place.
+  const double radius = std::sqrt(ball.radius * ball.radius - within * within);
+  Medial_ball result = ball;
+  result.center += (height - within) * inwards;
+  if(length > radius)
+    result.center += (1 - radius / length) * along;
+  return result;
 }
 
 /// Returns a medial ball for each patch, centred at its sample if that is off the surface. Other
