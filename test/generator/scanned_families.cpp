@@ -19,6 +19,7 @@ const Families& scanned()
 {
   static const Families families = {
       {"crown_in_leaf", crown_in_leaf},
+      {"lattice", lattice},
       {"leafy_plant", leafy_plant},
       {"tree", tree},
       {"tube_frame", tube_frame},

@@ -125,7 +125,7 @@ TEST_CASE("The axis of a scanned shape has the counts that its family states")
 
 TEST_CASE("Limbs of a scanned shape that do not meet do not touch")
 {
-  for(const char* family : {"crown_in_leaf", "leafy_plant", "tube_frame", "wire_frame"}) {
+  for(const char* family : {"crown_in_leaf", "lattice", "leafy_plant", "tube_frame", "wire_frame"}) {
     CAPTURE(family, seed);
     CHECK(narrowest_gap(scanned_shape(family, seed)) > 0);
   }
