@@ -250,9 +250,10 @@ inline bool reach_beyond_limbs(const std::vector<double>& densities,
 /// 1 / (1 + w^2 / t^2). So in a window wider by a factor r, s / (1 - s) is less by r^2; on a shape
 /// that looks alike at every scale it is the same. The window is the last up to which it falls by r
 /// or more each time: noise, not shape, explains what was seen. As long as the noise is wider than
-/// the window, any fall is enough: few components never look quite round. Windows that show no plane
-/// yet must not reach beyond limbs, either. The lower quartile over the shape counts: noise is everywhere, and nearly every shape is smooth in a quarter of its
-/// surface. O(n log n). \pre nothing has moved yet
+/// the window, any fall is enough: few components never look quite round. As long as windows show no
+/// plane, they must not reach beyond limbs, either. The lower quartile over the shape counts: noise
+/// is everywhere, and nearly every shape is smooth in a quarter of its surface. O(n log n).
+/// \pre nothing has moved yet
 inline Noise measure_noise(Scale_space& space, const Moving_mixture& moving,
                            const K_nearest_neighbors& nearest, const Window_radii& radii,
                            const Noise_options& options, Concurrency concurrency)
