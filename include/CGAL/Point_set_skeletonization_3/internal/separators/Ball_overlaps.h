@@ -32,9 +32,9 @@ struct Medial_ball
   Vector3 offset = Vector3::Zero();
 };
 
-/// Returns a ball moved until it touches `place`, if it is further away: along the surface that it
-/// was found at, across which it is where the limb has it, and only as far as that does not take it
-/// there across it.
+/// Returns a ball moved until it touches `place`, if it does not reach it: along the surface at the
+/// patch that it was found at, as the limb may go on, and across it only as far as no move along it
+/// is enough.
 inline Medial_ball moved_to_touch(const Medial_ball& ball, const Vector3& place)
 {
   const Vector3 way = place - ball.center;
