@@ -399,6 +399,28 @@ TEST_CASE("Fronts around a handle keep what is attached to the piece")
           .norm() < 0.5 * surfaces::ring_radius);
 }
 
+TEST_CASE("Fronts of two pieces that are joined without a separator stay joined")
+{
+  const Tube& torus = surfaces::torus;
+  const Patches patches = torus.patches();
+  const int first = 5, second = 25;
+  Surface_quotient quotient = quotient_of(torus, {first, second});
+  const std::size_t a = quotient.vertex_of_patch[torus.index(first + 3, 0)],
+                    b = quotient.vertex_of_patch[torus.index(first - 3, 0)];
+  REQUIRE(is_piece(a, quotient));
+  REQUIRE(is_piece(b, quotient));
+  quotient.graph.edges.emplace_back(a, b);
+  const Surface_quotient fronts =
+    with_handle_fronts(quotient, {torus.separator(first), torus.separator(second)}, patches,
+                       surfaces::samples_of(patches), adjacent_pairs(patches));
+  CHECK(fronts.graph.vertices.size() > quotient.graph.vertices.size());
+  for(const Skeleton_graph::Edge& e : fronts.graph.edges)
+    REQUIRE((std::max)(e.first, e.second) < fronts.graph.vertices.size());
+  CHECK(number_of_components(fronts.graph) == 1);
+  CHECK(number_of_cycles(quotient.graph) == 2);
+  CHECK(number_of_cycles(fronts.graph) == 2);
+}
+
 TEST_CASE("Trees of paths in pieces have each patch at a vertex and close no cycle")
 {
   const std::vector<int> rings = {5, 25};

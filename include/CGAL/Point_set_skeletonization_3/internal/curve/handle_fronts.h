@@ -70,6 +70,7 @@ public:
       handles_around[handle.piece].push_back(handle);
     for(const auto& [piece, through] : ways)
       replace(piece, handles_around[piece], through);
+    join_pieces();
     Surface_quotient result = result_.take(patches_, samples);
     std::map<std::size_t, std::size_t> first_fronts; // of each piece
     for(std::size_t i = 0; i < patches_.size(); ++i)
@@ -138,8 +139,27 @@ private:
     for(const Contact& contact : tree)
       if(kept[contact.a] == contact.a && kept[contact.b] == contact.b)
         result_.add_edge(vertex[contact.a], vertex[contact.b]);
-    for(const Attachment& attachment : attached)
-      result_.add_edge(attachment.vertex, vertex[kept[attachment.front]]);
+    for(const Attachment& attachment : attached) {
+      const std::size_t front = vertex[kept[attachment.front]];
+      if(is_piece(attachment.vertex, quotient_))
+        front_at_piece_[{piece, attachment.vertex}] = front;
+      else
+        result_.add_edge(attachment.vertex, front);
+    }
+  }
+
+  /// Adds the edges between the fronts of a piece and other pieces, which may have been replaced by
+  /// fronts as well.
+  void join_pieces()
+  {
+    for(const auto& [pieces, front] : front_at_piece_) {
+      const auto [piece, other] = pieces;
+      const auto found = front_at_piece_.find({other, piece});
+      if(found == front_at_piece_.end())
+        result_.add_edge(other, front);
+      else if(piece < other) // the other comes as well
+        result_.add_edge(front, found->second);
+    }
   }
 
   /// The distances of the patches of a piece from some beside or in it.
@@ -343,6 +363,9 @@ private:
   // Of each patch of the current piece; of others undefined.
   std::vector<std::size_t> front_; ///< Its front.
   std::vector<std::size_t> place_; ///< In the order of the patches of the piece.
+
+  /// The fronts of replaced pieces that are adjacent to other pieces, by the former and the latter.
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> front_at_piece_;
 
   Refined_quotient result_;
 };
