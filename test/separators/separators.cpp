@@ -281,16 +281,30 @@ TEST_CASE("A loop along a torus crosses each ring once, and in which direction i
 
 TEST_CASE("Overlap of balls: whole within a limb, none between limbs that touch")
 {
-  const Medial_ball ball{Vector3(0, 0, 0), 1};
-  CHECK(relative_overlap(ball, ball) == 1);
-  CHECK(relative_overlap(ball, {Vector3(0.1, 0, 0), 1}) > 0.99);
-  CHECK(relative_overlap(ball, {Vector3(2, 0, 0), 1}) == 0);
-  CHECK(relative_overlap(ball, {Vector3(50, 0, 0), 1}) == 0);
+  CHECK(relative_overlap(1, 1, 0) == 1);
+  CHECK(relative_overlap(1, 1, 0.1) > 0.99);
+  CHECK(relative_overlap(1, 1, 2) == 0);
+  CHECK(relative_overlap(1, 1, 50) == 0);
   // A small limb that leaves a large one.
-  CHECK(relative_overlap(ball, {Vector3(0.9, 0, 0), 0.1}) == 1);
+  CHECK(relative_overlap(1, 0.1, 0.9) == 1);
   // The circle where two unit balls at distance d meet has the radius sqrt(1 - d^2 / 4).
-  CHECK(relative_overlap(ball, {Vector3(0, 1.6, 0), 1}) == Approx(0.6));
-  CHECK(relative_overlap({Vector3(0, 1.6, 0), 1}, ball) == Approx(0.6));
+  CHECK(relative_overlap(1, 1, 1.6) == Approx(0.6));
+}
+
+TEST_CASE("Balls are as near as across the limb if its patches are longer than it is wide")
+{
+  const Medial_ball ball{Vector3::Zero(), 1, Vector3(0, 0, 1)}; // of a patch below it
+  Patch here, there;
+  here.mean = ball.center - ball.offset;
+  const auto distance = [&](const Vector3& center, const Vector3& offset) {
+    there.mean = center - offset;
+    return distance_in_limb(here, ball, there, {center, 1, offset});
+  };
+  const Vector3 beside(0, 1, 0);
+  CHECK(distance(Vector3(3, 0, 0), beside) == Approx(0).margin(1e-9)); // along the limb
+  CHECK(distance(Vector3(3, 0.5, 0), beside) == Approx(0.5));          // and a bit across it
+  CHECK(distance(Vector3(0.9, 0, 0), beside) == Approx(0.9));          // patches are short
+  CHECK(distance(Vector3(0, 2, 0), Vector3(0, -1, 0)) == Approx(2));   // two limbs that touch
 }
 
 TEST_CASE("Patches longer than a limb is wide are in one limb, those of limbs that touch are not")

@@ -97,16 +97,15 @@ inline std::vector<Medial_ball> known_balls(const Patches& patches, const Sample
   return balls;
 }
 
-/// Returns the relative overlap of two balls, in [0, 1]: the radius of the circle in which their
-/// spheres intersect over that of the smaller ball; 0 if they are disjoint, 1 if the centre of the
-/// smaller ball is beyond that circle. Adjacent patches of one limb have nearly the same ball, and
-/// at a junction the balls of both limbs contain the place in between; balls of two limbs that only
-/// touch hardly overlap.
+/// Returns the relative overlap of two balls this far apart, in [0, 1]: the radius of the circle in
+/// which their spheres intersect over that of the smaller ball; 0 if they are disjoint, 1 if the
+/// centre of the smaller ball is beyond that circle. Adjacent patches of one limb have nearly the
+/// same ball, and at a junction the balls of both limbs contain the place in between; balls of two
+/// limbs that only touch hardly overlap.
 /// \pre both radii are positive
-inline double relative_overlap(const Medial_ball& a, const Medial_ball& b)
+inline double relative_overlap(double radius_a, double radius_b, double distance)
 {
-  const double smaller = (std::min)(a.radius, b.radius), larger = (std::max)(a.radius, b.radius);
-  const double distance = (a.center - b.center).norm();
+  const double smaller = (std::min)(radius_a, radius_b), larger = (std::max)(radius_a, radius_b);
   if(distance >= smaller + larger)
     return 0;
   // Distance of the plane of the circle from the centre of the smaller ball, in its radii: `plane`.
@@ -115,6 +114,29 @@ inline double relative_overlap(const Medial_ball& a, const Medial_ball& b)
     return 1;
   const double plane = beyond / (2 * distance * smaller);
   return std::sqrt(std::max(0.0, 1 - plane * plane));
+}
+
+/// Returns the part of a vector along a limb: across both directions in which its middle is seen.
+inline Vector3 along_limb(const Vector3& v, const Vector3& inwards_a, const Vector3& inwards_b)
+{
+  const Vector3 first = inwards_a.normalized();
+  const Vector3 second = (inwards_b - first.dot(inwards_b) * first).normalized(); // or 0
+  return v - first.dot(v) * first - second.dot(v) * second;
+}
+
+/// Returns how far the balls of two patches are apart, less what the patches are apart along the
+/// limb if that is more than its radius: then balls of one limb hardly overlap, either.
+inline double distance_in_limb(const Patch& a, const Medial_ball& ball_a, const Patch& b,
+                               const Medial_ball& ball_b)
+{
+  const Vector3 way = ball_b.center - ball_a.center;
+  const auto squared_along = [&](const Vector3& v) {
+    return along_limb(v, ball_a.offset, ball_b.offset).squaredNorm();
+  };
+  const double radius = (std::min)(ball_a.radius, ball_b.radius);
+  const double along = (std::min)(squared_along(way), squared_along(b.mean - a.mean));
+  return along > radius * radius ? std::sqrt((std::max)(0.0, way.squaredNorm() - along))
+                                 : way.norm();
 }
 
 /// Whether the balls of two patches are no further apart than the patches, each as seen from the
@@ -129,8 +151,9 @@ inline bool is_convex_between(const Patch& a, const Medial_ball& ball_a, const P
 
 /// The relative overlap of the medial balls of adjacent patches, in [0, 1]: near 1 within a limb,
 /// near 0 between two limbs that touch. Balls of patches that are as long as a limb is wide hardly
-/// overlap either: 1 where the surface is convex. A sheet has no balls; instead of their overlap,
-/// how coplanar the patches are says whether they are in one limb.
+/// overlap either: 1 where the surface is convex, elsewhere as much as they do across the limb. A
+/// sheet has no balls; instead of their overlap, how coplanar the patches are says whether they are
+/// in one limb.
 class Ball_overlaps
 {
 public:
@@ -157,7 +180,9 @@ public:
       else if(is_convex_between(patches[a], balls[a], patches[b], balls[b]))
         overlaps_[k] = 1;
       else
-        overlaps_[k] = relative_overlap(balls[a], balls[b]);
+        overlaps_[k] =
+          relative_overlap(balls[a].radius, balls[b].radius,
+                           distance_in_limb(patches[a], balls[a], patches[b], balls[b]));
     });
     const auto has_ball = [&](std::size_t i) { return is_off_surface(samples[i], patches[i]); };
     is_measured_.resize(pairs_.size());
