@@ -114,12 +114,13 @@ TEST_CASE("The correlation dimension is that of lines, of surfaces and of space"
         all.add(around);
       return std::array<double, 2>{all.dimension(), all.dimension_of_cloud()};
     };
+    const std::array<double, 2> least_of_space{2.5, 2.4}; // four spacings reach the border oftener
     for(const std::size_t octaves : {0, 1}) {
       CHECK(dimension(0, 0)[octaves] < 1.3);
       const double of_surface = dimension(60, 0)[octaves], of_space = dimension(15, 15)[octaves];
       CHECK(of_surface > 1.8);
       CHECK(of_surface < 2.2);
-      CHECK(of_space > 2.4);
+      CHECK(of_space > least_of_space[octaves]);
     }
   }
   CHECK(Components_around().dimension() == 3);
