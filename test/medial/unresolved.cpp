@@ -24,6 +24,9 @@ namespace {
 
 constexpr unsigned int seed = 7;
 
+/// How coplanar patches of one sheet are at least.
+constexpr double least_coplanarity = 0.5;
+
 /// Patches at places, without normals, of which the other side was not seen.
 Patches patches_at(const std::vector<Vector3>& places)
 {
@@ -48,7 +51,7 @@ Samples samples_on(const Patches& patches)
 std::vector<bool> unresolved_at(const std::vector<Vector3>& places)
 {
   const Patches patches = patches_at(places);
-  return unresolved_patches(surfaces::surface_of(patches), samples_on(patches));
+  return unresolved_patches(surfaces::surface_of(patches), samples_on(patches), least_coplanarity);
 }
 
 } // namespace
@@ -75,6 +78,41 @@ TEST_CASE("A sheet is resolved up to its rim, what is scattered or a line is not
   CHECK(number(unresolved_at(line)) == 40);
 }
 
+TEST_CASE("A sheet with creases is resolved, scattered patches as planar are not")
+{
+  CAPTURE(seed);
+  shapes::Random random(seed);
+  constexpr int wall = 4; // patches
+  Patches folded, scattered;
+  Vector3 place = Vector3::Zero();
+  for(int row = 0; row < 10 * wall; ++row) {
+    const bool is_rising = row / wall % 2 == 1;
+    place += is_rising ? Vector3::UnitZ() : Vector3::UnitX();
+    for(int y = 0; y < 20; ++y) {
+      Patch patch;
+      patch.mean = place + y * Vector3::UnitY();
+      patch.normal = is_rising ? Vector3::UnitX() : Vector3::UnitZ();
+      patch.spacing = patch.weight = patch.area = patch.planarity = 1;
+      folded.push_back(patch);
+      patch.mean = 4.5 * random.uniform_vector();
+      patch.normal = random.direction();
+      scattered.push_back(patch);
+    }
+  }
+  const auto share_of_unresolved = [](Patches patches) {
+    for(std::size_t i = 0; i < patches.size(); ++i)
+      for(std::size_t j = 0; j < patches.size(); ++j)
+        if(i != j && (patches[i].mean - patches[j].mean).norm() < 1.5)
+          patches[i].neighbors.push_back(j);
+    const std::vector<bool> marks = unresolved_patches(
+      surfaces::surface_of(patches), samples_on(patches), least_coplanarity);
+    return static_cast<double>(std::count(marks.begin(), marks.end(), true)) /
+           static_cast<double>(marks.size());
+  };
+  CHECK(share_of_unresolved(folded) == 0);
+  CHECK(share_of_unresolved(scattered) > 0.9);
+}
+
 TEST_CASE("What has a medial ball is resolved, unless most around it is not")
 {
   CAPTURE(seed);
@@ -88,10 +126,10 @@ TEST_CASE("What has a medial ball is resolved, unless most around it is not")
   const Surface surface = surfaces::surface_of(patches);
   Samples samples = samples_on(patches);
   samples[0].position += Vector3(0.5, 0, 0);
-  CHECK(unresolved_patches(surface, samples)[0]);
+  CHECK(unresolved_patches(surface, samples, least_coplanarity)[0]);
   for(std::size_t i = 0; i < patches.size(); ++i)
     samples[i].position = patches[i].mean + Vector3(0.5, 0, 0);
-  const std::vector<bool> none = unresolved_patches(surface, samples);
+  const std::vector<bool> none = unresolved_patches(surface, samples, least_coplanarity);
   CHECK(std::find(none.begin(), none.end(), true) == none.end());
 }
 
@@ -139,7 +177,8 @@ TEST_CASE("Twigs are those of a cloud that mostly consists of lines")
         if(i != j && (places[i] - places[j]).norm() < 1)
           patches[i].neighbors.push_back(j);
     const std::vector<bool> is_of_twig =
-      unresolved_limbs(surfaces::surface_of(patches), samples_on(patches)).is_of_twig;
+      unresolved_limbs(surfaces::surface_of(patches), samples_on(patches), least_coplanarity)
+        .is_of_twig;
     const auto at = [&](std::size_t k) {
       return is_of_twig.begin() + static_cast<std::ptrdiff_t>(k);
     };

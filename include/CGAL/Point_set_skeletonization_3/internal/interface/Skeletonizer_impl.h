@@ -321,7 +321,8 @@ Plain_samples Skeletonizer::samples() const
     return result;
   const Medial_surface& medial = *state_->medial;
   const Normalization& normalization = state_->normalization;
-  const std::vector<Medial_sample_kind> kinds = sample_kinds(medial.surface, medial.samples);
+  const std::vector<Medial_sample_kind> kinds =
+    sample_kinds(medial.surface, medial.samples, state_->options.linking.separators.overlap);
   for(std::size_t i = 0; i < medial.samples.size(); ++i)
     result.samples.push_back({to_plain(medial.surface.gaussians[i], normalization),
                               to_plain(medial.samples[i].position, normalization),

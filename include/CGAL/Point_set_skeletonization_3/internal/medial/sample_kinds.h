@@ -50,14 +50,51 @@ inline Dimensionality dimensionality_around(const Surface& surface, std::size_t 
   return dimensionality(covariance, components);
 }
 
-/// Returns what each sample is in the middle of. O(n log n).
-inline std::vector<Medial_sample_kind> sample_kinds(const Surface& surface, const Samples& samples)
+/// Returns how many neighbours of each patch are coplanar with it. O(n).
+inline std::vector<std::size_t> coplanar_neighbors(const Patches& patches,
+                                                   double least_coplanarity)
 {
+  std::vector<std::size_t> result;
+  for(const Patch& patch : patches)
+    result.push_back(static_cast<std::size_t>(
+      std::count_if(patch.neighbors.begin(), patch.neighbors.end(), [&](std::size_t j) {
+        return coplanarity(patch, patches[j]) >= least_coplanarity;
+      })));
+  return result;
+}
+
+/// Whether patch `i` is on a surface: most pairs of adjacent patches around it are coplanar. A
+/// surface with creases looks scattered from afar; a crease leaves about two thirds of the pairs
+/// coplanar, scattered leaves and twigs a quarter, and seldom half. O(patches around).
+/// \param coplanar `coplanar_neighbors()`
+inline bool is_on_surface(const Surface& surface, std::size_t i,
+                          const std::vector<std::size_t>& coplanar)
+{
+  constexpr double most = 2. / 3;
+  std::size_t on_surface = 0, all = 0;
+  visit_surroundings(surface, i, [&](std::size_t k) {
+    on_surface += coplanar[k];
+    all += surface.patches[k].neighbors.size();
+  });
+  return static_cast<double>(on_surface) > most * static_cast<double>(all);
+}
+
+/// Returns what each sample is in the middle of. O(n log n).
+/// \param least_coplanarity of two patches of one surface, in (0, 1)
+inline std::vector<Medial_sample_kind> sample_kinds(const Surface& surface, const Samples& samples,
+                                                    double least_coplanarity)
+{
+  const std::vector<std::size_t> coplanar =
+    coplanar_neighbors(surface.patches, least_coplanarity);
   std::vector<Medial_sample_kind> result;
-  for(std::size_t i = 0; i < samples.size(); ++i)
-    result.push_back(is_off_surface(samples[i], surface.patches[i])
-                       ? Medial_sample_kind::solid
-                       : dimensionality_around(surface, i).kind());
+  for(std::size_t i = 0; i < samples.size(); ++i) {
+    Medial_sample_kind kind = is_off_surface(samples[i], surface.patches[i])
+                                ? Medial_sample_kind::solid
+                                : dimensionality_around(surface, i).kind();
+    if(kind == Medial_sample_kind::scatter && is_on_surface(surface, i, coplanar))
+      kind = Medial_sample_kind::sheet;
+    result.push_back(kind);
+  }
   return result;
 }
 
@@ -101,21 +138,21 @@ inline std::vector<bool> twig_patches(const Surface& surface, const Samples& sam
 /// no sheet. They are what most around them are: at the rim of a sheet there are few patches to see
 /// it by, and a scattered leaf may have another by chance where its other side would be.
 /// O(n log n).
-inline std::vector<bool> unresolved_patches(const Surface& surface, const Samples& samples)
+/// \param least_coplanarity see `sample_kinds()`
+inline std::vector<bool> unresolved_patches(const Surface& surface, const Samples& samples,
+                                            double least_coplanarity)
 {
-  const std::size_t size = surface.patches.size();
-  std::vector<bool> seems_unresolved(size);
-  for(std::size_t i = 0; i < size; ++i)
-    seems_unresolved[i] = !is_off_surface(samples[i], surface.patches[i]) &&
-                          dimensionality_around(surface, i).kind() != Medial_sample_kind::sheet;
-  std::vector<bool> result(size);
-  for(std::size_t i = 0; i < size; ++i) {
+  const std::vector<Medial_sample_kind> kinds = sample_kinds(surface, samples, least_coplanarity);
+  std::vector<bool> result;
+  for(std::size_t i = 0; i < kinds.size(); ++i) {
     std::size_t unresolved = 0, all = 0;
     visit_surroundings(surface, i, [&](std::size_t k) {
-      unresolved += seems_unresolved[k] ? 1 : 0;
+      const bool seems_unresolved =
+        kinds[k] == Medial_sample_kind::line || kinds[k] == Medial_sample_kind::scatter;
+      unresolved += seems_unresolved ? 1 : 0;
       ++all;
     });
-    result[i] = 2 * unresolved > all;
+    result.push_back(2 * unresolved > all);
   }
   return result;
 }
@@ -205,11 +242,13 @@ inline Unresolved_limbs without_twigs(const Surface& surface, const Samples& sam
 }
 
 /// Returns the limbs that are not resolved. In a cloud of lines all are twigs. O(n log n).
-inline Unresolved_limbs unresolved_limbs(const Surface& surface, const Samples& samples)
+/// \param least_coplanarity see `sample_kinds()`
+inline Unresolved_limbs unresolved_limbs(const Surface& surface, const Samples& samples,
+                                         double least_coplanarity)
 {
   if(surface.is_of_lines)
     return {twig_patches(surface, samples), std::vector<bool>(samples.size(), false)};
-  return without_twigs(surface, samples, unresolved_patches(surface, samples));
+  return without_twigs(surface, samples, unresolved_patches(surface, samples, least_coplanarity));
 }
 
 } // namespace internal

@@ -139,7 +139,8 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
   const bool is_frame = reading == Limb_reading::frame;
   const std::vector<bool> none(samples.size(), false);
   const Unresolved_limbs unresolved =
-    is_frame ? Unresolved_limbs{none, none} : unresolved_limbs(surface, samples);
+    is_frame ? Unresolved_limbs{none, none}
+             : unresolved_limbs(surface, samples, options.separators.overlap);
   std::vector<Local_separator> separators = without_marked(
     without_marked(local_separators(candidates, surface, samples, overlaps, !is_frame,
                                     options.separators, concurrency),
