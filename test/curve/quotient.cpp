@@ -137,8 +137,24 @@ public:
     std::vector<Vector3> means;
     for(const Patch& patch : patches)
       means.push_back(patch.mean);
-    return prune(quotient, patches, adjacent_pairs(patches), means, Patch_groups(patches.size()),
+    return prune(quotient, patches, pairs(), means, Patch_groups(patches.size()),
                  Curve_options());
+  }
+
+private:
+  // Patches are adjacent to the next one of their vertex, and to one of each adjacent vertex.
+  std::vector<Patch_pair> pairs() const
+  {
+    std::vector<Patch_pair> result;
+    const auto add = [&](std::size_t i, std::size_t j) {
+      result.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)});
+    };
+    for(const std::vector<std::size_t>& ring : quotient.members)
+      for(std::size_t k = 1; k < ring.size(); ++k)
+        add(ring[k - 1], ring[k]);
+    for(const auto& [v, w] : quotient.graph.edges)
+      add(quotient.members[v].front(), quotient.members[w].front());
+    return result;
   }
 };
 

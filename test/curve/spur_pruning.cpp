@@ -10,12 +10,19 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Spur_pruning.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Surface_parts.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/branches.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_graph.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <set>
@@ -342,6 +349,80 @@ TEST_CASE("Of twigs of one place, what sticks out of the limb is kept, not what 
     CHECK(is_kept(Vector3(0, 0.7, 0)));
     CHECK_FALSE(is_kept(Vector3(0.7, 0, 0)));
     CHECK_FALSE(is_kept(Vector3(0, 0, 0.7)));
+  }
+}
+
+TEST_CASE("A stub is a spur, unless it is all that is left of a part of the surface")
+{
+  constexpr std::size_t length = 20, none = Surface_parts::none;
+  const auto ring_around = [](const Vector3& middle, double radius) {
+    std::vector<Vector3> result;
+    for(int k = 0; k < 12; ++k)
+      result.push_back(middle + radius * Vector3(0, std::cos(k), std::sin(k)));
+    return result;
+  };
+  Skeleton_graph graph;
+  Points points;
+  const auto add = [&](const Vector3& place, double radius, std::size_t before) {
+    graph.vertices.push_back({place, radius, 0.1, true});
+    points.push_back(ring_around(place, radius));
+    if(before != none)
+      graph.edges.emplace_back(before, graph.vertices.size() - 1);
+  };
+  for(std::size_t k = 0; k < length; ++k)
+    add(Vector3(static_cast<double>(k), 0, 0), 1, k == 0 ? none : k - 1);
+  const std::size_t joint = length / 2, stub = length;
+  add(graph.vertices[joint].position + Vector3(0, 1.5, 0), 1, joint);
+  add(graph.vertices[joint].position + Vector3(0, 1.6, 0), 1, stub);
+  const auto is_kept = [&](const std::vector<std::size_t>& parts_of_stub) {
+    std::vector<std::size_t> part(length, 0);
+    part.insert(part.end(), parts_of_stub.begin(), parts_of_stub.end());
+    return !Spur_pruning(graph, points, Curve_options(), {}, Surface_parts(part)).spurs()[stub];
+  };
+  CHECK_FALSE(is_kept({0, 0}));
+  CHECK_FALSE(is_kept({none, none}));
+  CHECK(is_kept({1, 1}));
+  CHECK(is_kept({0, 1}));
+  CHECK(is_kept({1, none}));
+}
+
+TEST_CASE("Adjacent patches are in one part of the surface, those of few points in none")
+{
+  constexpr std::uint32_t size = 12;
+  Patches patches(size);
+  Surface_quotient quotient;
+  quotient.graph.vertices.resize(size);
+  std::vector<Patch_pair> pairs;
+  std::uint32_t begin = 0;
+  for(const std::uint32_t end : {6u, 10u, size}) { // of the parts
+    for(std::uint32_t i = begin; i < end; ++i) {
+      patches[i].weight = end == size ? 1 : 50;
+      quotient.vertex_of_patch.push_back(i);
+      if(i > begin)
+        pairs.push_back({i - 1, i});
+    }
+    begin = end;
+  }
+  Surface_parts parts = surface_parts(quotient, patches, pairs, 0.01);
+  CHECK(parts.are_last({6, 7, 8, 9}));
+  CHECK_FALSE(parts.are_last({0, 1, 6, 7, 8}));
+  CHECK_FALSE(parts.are_last({10, 11}));
+  for(const std::size_t v : {6, 7})
+    parts.remove(v);
+  CHECK(parts.are_last({8, 9, 10}));
+  CHECK(surface_parts(quotient, patches, pairs, 0.005).are_last({10, 11}));
+}
+
+TEST_CASE("A cap is removed, unless it is all of a part of the surface")
+{
+  Skeleton_graph graph;
+  for(const bool is_cross_section : {true, true, false})
+    graph.vertices.push_back({Vector3::Zero(), 1, 1, is_cross_section});
+  graph.edges = {{0, 1}, {1, 2}};
+  for(const std::size_t part : {0, 1}) {
+    std::vector<bool> removed(3, false);
+    mark_caps(graph, Surface_parts({0, 0, part}), removed);
+    CHECK(removed == std::vector<bool>({false, false, part == 0}));
   }
 }
 

@@ -9,6 +9,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Blocks.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Surface_parts.h>
 
 #include <algorithm>
 #include <array>
@@ -31,7 +32,8 @@ namespace internal {
 /// The least slender is removed first: then its junction may have degree 2 and two short branches
 /// become a long one. A branch is measured once, and again when it was joined with another. It is
 /// known by its ends, and measured from its tip only as far as it takes to see that it is slender:
-/// O(n log n) in practice.
+/// O(n log n) in practice. What stands for all of a part of the surface stays: between it and the
+/// rest is a gap, so it is no bump of a limb, however round.
 class Spur_pruning
 {
 public:
@@ -42,9 +44,11 @@ public:
 
   /// `surface[v]` are the surface points of vertex v. Refers to all arguments. O(n).
   /// \param for_rings called as `Limb_roots::for_rings()`; empty: limbs have no roots
+  /// \param parts of the surface, none of which is removed
   Spur_pruning(const Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
-               const Curve_options& options, For_rings for_rings = {})
+               const Curve_options& options, For_rings for_rings = {}, Surface_parts parts = {})
     : options_(options), graph_(graph), surface_(surface), for_rings_(std::move(for_rings)),
+      parts_(std::move(parts)),
       degree_(graph.vertices.size(), 0),
       sum_(graph.vertices.size(), 0), removed_(graph.vertices.size(), false),
       first_(graph.vertices.size() + 1, 0), to_(2 * graph.edges.size()), back_(to_.size()),
@@ -80,10 +84,12 @@ public:
     while(!queue_.empty()) {
       const Spur spur = queue_.top();
       queue_.pop();
-      if(is_current(spur) && (spur.has_tip || !is_bridge(spur))) {
-        Progress::poll();
-        remove(spur);
-      }
+      if(!is_current(spur) || (!spur.has_tip && is_bridge(spur)))
+        continue;
+      Progress::poll();
+      const std::vector<std::size_t> vertices = vertices_of(spur);
+      if(!parts_.are_last(vertices))
+        remove(spur, vertices);
     }
     return std::move(removed_);
   }
@@ -158,19 +164,31 @@ private:
            spur.has_tip == (degree_[from(spur.end)] == 1);
   }
 
-  /// Removes a branch but its junctions. Where two others are left at a junction, they become one;
-  /// where one is left, it has a tip there.
-  void remove(const Spur& spur)
+  /// The vertices of a branch but its junctions, from that of its way on.
+  std::vector<std::size_t> vertices_of(const Spur& spur) const
+  {
+    const std::size_t last = from(spur.end);
+    std::vector<std::size_t> result;
+    std::size_t before = from(spur.way);
+    for(std::size_t v = to_[spur.way]; v != last; before = std::exchange(v, next(v, before)))
+      result.push_back(v);
+    if(spur.has_tip)
+      result.push_back(last);
+    return result;
+  }
+
+  /// Removes a branch, `vertices_of()` it. Where two others are left at a junction, they become
+  /// one; where one is left, it has a tip there.
+  void remove(const Spur& spur, const std::vector<std::size_t>& vertices)
   {
     const std::size_t junction = from(spur.way), last = from(spur.end);
-    std::size_t before = junction;
-    for(std::size_t v = to_[spur.way]; v != last; before = std::exchange(v, next(v, before)))
+    for(std::size_t v : vertices) {
       removed_[v] = true;
+      parts_.remove(v);
+    }
     end_[spur.way] = end_[spur.end] = none;
     leave(junction, to_[spur.way]);
-    if(spur.has_tip)
-      removed_[last] = true;
-    else {
+    if(!spur.has_tip) {
       leave(last, to_[spur.end]);
       has_opened_ = true;
     }
@@ -368,6 +386,7 @@ private:
   const Skeleton_graph& graph_;
   const std::vector<std::vector<Vector3>>& surface_;
   For_rings for_rings_;
+  Surface_parts parts_; ///< Without what was removed.
 
   // For each vertex.
   std::vector<std::size_t> degree_; ///< Number of neighbours left.

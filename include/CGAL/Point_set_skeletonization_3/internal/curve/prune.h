@@ -9,6 +9,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Measured_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Spur_pruning.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Surface_parts.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/stray_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
@@ -41,9 +42,10 @@ inline Skeleton_graph without(const Skeleton_graph& graph, const std::vector<boo
   return result;
 }
 
-/// Marks the piece beyond the last separator of each limb as removed: a cap has no centre, and the
-/// tip is found from the separator before it. O(n).
-inline void mark_caps(const Skeleton_graph& graph, std::vector<bool>& removed)
+/// Marks the piece beyond the last separator of each limb as removed, unless it is all of a part: a
+/// cap has no centre, and the tip is found from the separator before it. O(n).
+inline void mark_caps(const Skeleton_graph& graph, const Surface_parts& parts,
+                      std::vector<bool>& removed)
 {
   std::vector<std::vector<std::size_t>> adjacency(graph.vertices.size());
   for(const Skeleton_graph::Edge& e : graph.edges)
@@ -60,7 +62,7 @@ inline void mark_caps(const Skeleton_graph& graph, std::vector<bool>& removed)
       continue;
     // A single separator between two caps keeps them: one vertex has no direction.
     const std::vector<std::size_t>& next = adjacency[adjacency[v].front()];
-    removed[v] = std::count_if(next.begin(), next.end(), is_cap) == 1;
+    removed[v] = std::count_if(next.begin(), next.end(), is_cap) == 1 && !parts.are_last({v});
   }
 }
 
@@ -90,9 +92,9 @@ inline Pruned_quotient prune(const Surface_quotient& quotient, const Patches& pa
   }
   Pruned_quotient result;
   result.is_stray = stray_vertices(graph, weights, options.stray_share);
-  const Measured_components parts(graph, weights);
+  const Measured_components curves(graph, weights);
   for(std::size_t v = 0; v < weights.size(); ++v) { // fragments may yet be joined
-    const Curve_evidence& curve = parts.of(v).curve;
+    const Curve_evidence& curve = curves.of(v).curve;
     if(curve.is_open() && curve.evidence() >= options.limb_evidence)
       result.is_stray[v] = false;
   }
@@ -105,10 +107,14 @@ inline Pruned_quotient prune(const Surface_quotient& quotient, const Patches& pa
       roots.emplace(quotient, patches, pairs, components, groups);
     roots->for_rings(junction, limb, visit);
   };
-  std::vector<bool> removed = Spur_pruning(graph, points, options, for_rings).spurs();
-  for(std::size_t v = 0; v < removed.size(); ++v)
+  Surface_parts parts = surface_parts(quotient, patches, pairs, options.stray_share);
+  std::vector<bool> removed = Spur_pruning(graph, points, options, for_rings, parts).spurs();
+  for(std::size_t v = 0; v < removed.size(); ++v) {
     removed[v] = removed[v] || result.is_stray[v];
-  mark_caps(graph, removed);
+    if(removed[v])
+      parts.remove(v);
+  }
+  mark_caps(graph, parts, removed);
   result.graph = without(graph, removed);
   return result;
 }
