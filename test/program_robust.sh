@@ -96,11 +96,12 @@ awk '{ gsub(/\./, ","); print $1 ";" $2 ";" $3 }' cloud.xyz > decimal_comma.csv
 { echo '"id";"X [m]";"Y [m]";"Z [m]"'; awk '{ print NR ";" $1 ";" $2 ";" $3 }' cloud.xyz; } > named.csv
 { printf '\357\273\277'; cat cloud.xyz; } > mark.xyz
 { echo 600; awk '{ print $0, 17, 255, 0, 0 }' cloud.xyz; } > leica.pts
+awk '{ print $0, 0, 0, 1 }' cloud.xyz > normals.pwn
 sed 's/^/  +/; s/+-/-/' cloud.xyz > plus.xyz
 sed 's/$/\r/' cloud.xyz > crlf.txt
 accepts cloud.xyz --quiet -o expected.ply
 for file in semicolon.csv comma.csv tab.txt comma_blank.txt decimal_comma.csv header.xyz \
-  cloud_compare.asc named.csv mark.xyz leica.pts plus.xyz crlf.txt; do
+  cloud_compare.asc named.csv mark.xyz leica.pts normals.pwn plus.xyz crlf.txt; do
   accepts "$file" --quiet -o found.ply
   check "$file has the same points" cmp expected.ply found.ply
   accepts "$file" --quiet --stream -o found.ply

@@ -14,13 +14,14 @@ namespace point_files {
 
 namespace {
 
-constexpr std::array<Format, 12> formats{{{"off", read_off},
+constexpr std::array<Format, 13> formats{{{"off", read_off},
                                           {"ply", read_ply},
                                           {"xyz", read_text},
                                           {"txt", read_text},
                                           {"csv", read_text},
                                           {"pts", read_text},
                                           {"asc", read_text},
+                                          {"pwn", read_text},
                                           {"pcd", read_pcd},
                                           {"las", read_las},
                                           {"obj", read_obj},

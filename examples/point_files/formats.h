@@ -12,7 +12,7 @@ namespace point_files {
 // One reader per format. Each reads the input from its begin, once, and hands out every row as soon
 // as it has it; counts in the file only say when to stop. All throw Bad_file or Ends_early.
 
-/// Rows of numbers with any separator: .xyz, .txt, .csv, .pts, .asc.
+/// Rows of numbers with any separator: .xyz, .txt, .csv, .pts, .asc, .pwn.
 void read_text(Input& input, Rows& rows);
 
 /// Object File Format, text or binary.
