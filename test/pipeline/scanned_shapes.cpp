@@ -7,6 +7,7 @@
 #include "Point_tree.h"
 #include "axis_distance.h"
 #include "catch2.h"
+#include "generator/Random.h"
 #include "generator/clouds.h"
 #include "generator/families.h"
 #include "generator/scanned_families.h"
@@ -17,9 +18,12 @@
 #include "skeleton_checks.h"
 #include "spurs.h"
 
+#include <CGAL/Iterator_range.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/extract_l1_medial_skeleton.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -205,6 +209,61 @@ TEST_CASE("Rows of points on a leaf are no twigs")
   CHECK(counts.cycles == 0);
   CHECK(counts.ends >= plant.ends);
   CHECK(counts.ends < 3 * plant.ends);
+}
+
+TEST_CASE("Stairs seen from above are no bundle of twigs, though creases look scattered from afar")
+{
+  const unsigned int seed = GENERATE(1u, 2u, 3u); // 25 to 35 ends while they were
+  CAPTURE(seed);
+  shapes::Random random(seed);
+  const Eigen::Matrix3d turn = random.rotation();
+  constexpr int steps = 6;
+  constexpr double width = 3; // steps
+  std::vector<shapes::Vector> cloud;
+  for(int k = 0; k < 5000; ++k) {
+    const double step = random.integer(0, steps - 1), t = random.uniform();
+    const bool is_tread = random.integer(0, 1) == 0;
+    const double y = random.uniform(0, width);
+    cloud.push_back(turn * (is_tread ? shapes::Vector(step + t, y, step)
+                                     : shapes::Vector(step + 1, y, step + t)));
+  }
+  const Skeleton skeleton = skeleton_of(to_points(cloud));
+  const Graph_counts counts = count_graph(skeleton);
+  CHECK(counts.components == 1);
+  CHECK(counts.cycles == 0);
+  CHECK(counts.ends >= 2);
+  CHECK(counts.ends <= 4); // the first and the last step are three times as wide as deep
+}
+
+TEST_CASE("The curve leads into a dome beside half of a trunk, with a gap around it")
+{
+  const unsigned int seed = GENERATE(1u, 2u, 3u);
+  const double radius = GENERATE(0.5, 0.8); // of the dome; that of the trunk is 1
+  CAPTURE(seed, radius);
+  shapes::Random random(seed);
+  const Eigen::Matrix3d turn = random.rotation();
+  constexpr double length = 7, gap = 0.4; // 5 spacings
+  const shapes::Vector middle(length / 2, 1 + gap + radius, 0);
+  const double share_of_dome = 2 * radius * radius / (2 * radius * radius + length);
+  std::vector<shapes::Vector> cloud;
+  for(int k = 0; k < 5000; ++k) {
+    const bool is_on_dome = random.uniform() < share_of_dome;
+    const shapes::Vector upwards = random.direction().cwiseProduct(shapes::Vector(1, 1, 0));
+    const double angle = random.uniform(0, std::acos(-1.)), along = random.uniform(0, length);
+    const shapes::Vector dome =
+      middle + radius * (upwards + std::sqrt(1 - upwards.squaredNorm()) * shapes::Vector::UnitZ());
+    cloud.push_back(turn * (is_on_dome
+                              ? dome
+                              : shapes::Vector(along, std::cos(angle), std::sin(angle))));
+  }
+  const Skeleton skeleton = skeleton_of(to_points(cloud));
+  const shapes::Vector place = turn * (middle + radius / 2 * shapes::Vector::UnitZ());
+  double nearest = length;
+  for(const auto v : CGAL::make_range(vertices(skeleton))) {
+    const Kernel::Point_3& p = skeleton[v].point;
+    nearest = (std::min)(nearest, (shapes::Vector(p.x(), p.y(), p.z()) - place).norm());
+  }
+  CHECK(nearest < radius);
 }
 
 } // namespace scanned_shapes_test
