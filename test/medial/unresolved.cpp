@@ -78,6 +78,32 @@ TEST_CASE("A sheet is resolved up to its rim, what is scattered or a line is not
   CHECK(number(unresolved_at(line)) == 40);
 }
 
+TEST_CASE("At the rim of a sheet of large patches, a row of small ones is no line")
+{
+  constexpr int length = 48, large = 4; // spacings of the small ones
+  std::vector<Vector3> rim, inside, components;
+  for(int x = 0; x < length; ++x) {
+    rim.emplace_back(x, 0, 0);
+    for(int y = 0; y < length; ++y)
+      components.emplace_back(x, y, 0);
+  }
+  for(int x = 0; x < length; x += large)
+    for(int y = large; y < length; y += large)
+      inside.emplace_back(x, y, 0);
+  Patches patches = patches_at(rim);
+  for(Patch& patch : patches_at(inside)) {
+    patch.spacing = large;
+    patch.components = large * large;
+    patches.push_back(patch);
+  }
+  Surface surface = surfaces::surface_of(patches);
+  surface.components = components;
+  surface.component_tree = Box_tree(components);
+  const std::vector<bool> marks =
+    unresolved_patches(surface, samples_on(patches), least_coplanarity);
+  CHECK(std::count(marks.begin(), marks.end(), true) == 0);
+}
+
 TEST_CASE("A sheet with creases is resolved, scattered patches as planar are not")
 {
   CAPTURE(seed);

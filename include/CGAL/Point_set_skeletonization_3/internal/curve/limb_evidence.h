@@ -10,8 +10,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
-#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/components_within.h>
 
 #include <algorithm>
 #include <cmath>
@@ -101,21 +101,13 @@ private:
   /// many scattered ones show by chance. (Components: points on one leaf are not independent.)
   double linearity_within(double radius, const Vector3& place) const
   {
-    Vector3 sum = Vector3::Zero();
-    Matrix3 products = Matrix3::Zero();
-    double number = 0;
-    const Box_tree& components = surface_.component_tree;
-    components.visit_within(place, radius, [&](std::size_t k, double) {
-      const Vector3 offset = components.positions()[k] - place;
-      sum += offset;
-      products += offset * offset.transpose();
-      ++number;
-    });
-    if(number < 3)
+    const Spread_components around = components_within(surface_, place, radius);
+    if(around.number < 3)
       return 0;
-    const Vector3 variances =
-      principal_axes(products / number - sum * sum.transpose() / (number * number)).variances;
-    return variances[2] > 0 ? 1 - variances[1] / variances[2] - anisotropy_by_chance(number) : 0;
+    const Vector3 variances = principal_axes(around.covariance).variances;
+    return variances[2] > 0
+             ? 1 - variances[1] / variances[2] - anisotropy_by_chance(around.number)
+             : 0;
   }
 
   const Surface& surface_;

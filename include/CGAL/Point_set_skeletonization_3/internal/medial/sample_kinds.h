@@ -11,6 +11,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/components_within.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,32 +23,25 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
+/// Spacings: about 30 patches of a sheet, 6 of a line.
+constexpr double spacings_around = 3;
+
 /// Calls `visit(k)` for each patch around patch `i`, with it.
 template <typename Visit>
 void visit_surroundings(const Surface& surface, std::size_t i, const Visit& visit)
 {
-  constexpr double reach = 3; // spacings: about 30 patches of a sheet, 6 of a line
   const Patch& patch = surface.patches[i];
-  surface.tree.visit_within(patch.mean, reach * patch.spacing,
+  surface.tree.visit_within(patch.mean, spacings_around * patch.spacing,
                             [&](std::size_t k, double) { visit(surface.tree.order()[k]); });
 }
 
-/// Returns what the patches around patch `i` are like. O(patches around).
+/// Returns what the cloud around patch `i` is like. O(components around).
 inline Dimensionality dimensionality_around(const Surface& surface, std::size_t i)
 {
   const Patch& patch = surface.patches[i];
-  Vector3 sum = Vector3::Zero();
-  Matrix3 products = Matrix3::Zero();
-  double number = 0, components = 0;
-  visit_surroundings(surface, i, [&](std::size_t other) {
-    const Vector3 offset = surface.patches[other].mean - patch.mean;
-    sum += offset;
-    products += surface.gaussians[other].covariance + offset * offset.transpose();
-    ++number;
-    components += static_cast<double>(surface.patches[other].components);
-  });
-  const Matrix3 covariance = products / number - sum * sum.transpose() / (number * number);
-  return dimensionality(covariance, components);
+  const Spread_components around =
+    components_within(surface, patch.mean, spacings_around * patch.spacing);
+  return dimensionality(around.covariance, around.number);
 }
 
 /// Returns how many neighbours of each patch are coplanar with it. O(n).
