@@ -21,7 +21,7 @@ namespace Point_set_skeletonization_3 {
 namespace internal {
 
 /// What is left of the parts of a surface in a graph from which vertices are removed. Between parts
-/// are gaps, over which edges may lead. All vertices at once are never removed from a part.
+/// are gaps, over which edges may lead. Who asks `are_last()` before leaves something of each.
 class Surface_parts
 {
 public:
