@@ -426,6 +426,17 @@ TEST_CASE("A cap is removed, unless it is all of a part of the surface")
   }
 }
 
+TEST_CASE("Of two caps that are all of a part of the surface, one is left")
+{
+  Skeleton_graph graph;
+  for(const bool is_cross_section : {false, true, true, false})
+    graph.vertices.push_back({Vector3::Zero(), 1, 1, is_cross_section});
+  graph.edges = {{0, 1}, {1, 2}, {2, 3}};
+  std::vector<bool> removed(4, false);
+  mark_caps(graph, Surface_parts({1, 0, 0, 1}), removed);
+  CHECK(std::count(removed.begin(), removed.end(), true) == 1);
+}
+
 TEST_CASE("A graph without edges has no spurs")
 {
   Skeleton_graph graph;

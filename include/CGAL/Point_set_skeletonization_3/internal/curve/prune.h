@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -44,8 +45,7 @@ inline Skeleton_graph without(const Skeleton_graph& graph, const std::vector<boo
 
 /// Marks the piece beyond the last separator of each limb as removed, unless it is all of a part: a
 /// cap has no centre, and the tip is found from the separator before it. O(n).
-inline void mark_caps(const Skeleton_graph& graph, const Surface_parts& parts,
-                      std::vector<bool>& removed)
+inline void mark_caps(const Skeleton_graph& graph, Surface_parts parts, std::vector<bool>& removed)
 {
   std::vector<std::vector<std::size_t>> adjacency(graph.vertices.size());
   for(const Skeleton_graph::Edge& e : graph.edges)
@@ -63,6 +63,8 @@ inline void mark_caps(const Skeleton_graph& graph, const Surface_parts& parts,
     // A single separator between two caps keeps them: one vertex has no direction.
     const std::vector<std::size_t>& next = adjacency[adjacency[v].front()];
     removed[v] = std::count_if(next.begin(), next.end(), is_cap) == 1 && !parts.are_last({v});
+    if(removed[v])
+      parts.remove(v);
   }
 }
 
@@ -114,7 +116,7 @@ inline Pruned_quotient prune(const Surface_quotient& quotient, const Patches& pa
     if(removed[v])
       parts.remove(v);
   }
-  mark_caps(graph, parts, removed);
+  mark_caps(graph, std::move(parts), removed);
   result.graph = without(graph, removed);
   return result;
 }
