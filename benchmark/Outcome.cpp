@@ -3,6 +3,7 @@
 
 #include "Outcome.h"
 
+#include "beside.h"
 #include "methods/defect_of.h"
 #include "methods/l1_medial.h"
 #include "methods/l1_medial_published.h"
@@ -41,13 +42,18 @@ Outcome baseline(const std::vector<Point>& points)
   return run_method("tree", spanning_tree, input);
 }
 
-std::vector<Outcome> skeletonize(const std::vector<Point>& points, bool also_as_published)
+std::vector<Outcome> skeletonize(const std::vector<Point>& points, const Quality_options& options)
 {
+  const Scene_beside scene =
+    options.neighbor.empty() ? Scene_beside{points} : beside(points, options.neighbor);
   Method_input input;
-  input.points = points;
+  input.points = scene.points;
   std::vector<Outcome> outcomes;
   outcomes.push_back(run_method("default", l1_medial, input));
-  if(also_as_published)
+  if(options.as_published)
     outcomes.push_back(run_method("published", l1_medial_published, input));
+  if(!options.neighbor.empty())
+    for(Outcome& outcome : outcomes)
+      outcome.skeleton = part_of_cloud(outcome.skeleton, scene.border);
   return outcomes;
 }

@@ -4,6 +4,7 @@
 #ifndef POINT_SET_SKELETONIZATION_3_BENCHMARK_OUTCOME_H
 #define POINT_SET_SKELETONIZATION_3_BENCHMARK_OUTCOME_H
 
+#include "Quality_options.h"
 #include "methods/Method.h"
 
 #include <string>
@@ -25,7 +26,8 @@ Outcome run_method(const std::string& name, Method_result (&method)(const Method
 /// The spanning tree of the points, as a baseline.
 Outcome baseline(const std::vector<Point>& points);
 
-/// This package on a raw cloud, by default and, if wanted, as published.
-std::vector<Outcome> skeletonize(const std::vector<Point>& points, bool also_as_published);
+/// This package on a raw cloud, by default and, if wanted, as published; if there is a neighbour, on
+/// both beside each other, and what the cloud has of that.
+std::vector<Outcome> skeletonize(const std::vector<Point>& points, const Quality_options& options);
 
 #endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_OUTCOME_H

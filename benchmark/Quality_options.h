@@ -4,6 +4,8 @@
 #ifndef POINT_SET_SKELETONIZATION_3_BENCHMARK_QUALITY_OPTIONS_H
 #define POINT_SET_SKELETONIZATION_3_BENCHMARK_QUALITY_OPTIONS_H
 
+#include "methods/Method.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -28,6 +30,8 @@ struct Quality_options
   std::vector<int> places = {1, 3, 6};                   ///< of the scanner
 
   std::size_t points = 20000;
+  std::string beside;          ///< what stands beside every cloud; nothing if empty
+  std::vector<Point> neighbor; ///< the points of that
   bool as_published = false;
   std::size_t threads = 1; ///< clouds at a time
   std::string csv;         ///< none if empty

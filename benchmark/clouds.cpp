@@ -46,7 +46,7 @@ Cloud parse(const std::string& argument)
 void add_rows(const Cloud& cloud, const std::string& variant, const std::vector<Point>& points,
               const Quality_options& options, std::vector<Row>& rows)
 {
-  for(const Outcome& outcome : skeletonize(points, options.as_published)) {
+  for(const Outcome& outcome : skeletonize(points, options)) {
     Row row;
     row.shape = name_of(cloud.file);
     row.variant = variant;

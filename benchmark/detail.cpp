@@ -43,7 +43,7 @@ std::vector<Row> rows_of(const Tree& tree, unsigned int seed, const Quality_opti
   const std::vector<Point> points =
       to_points(shapes::sample(shape, shapes::Variant::clean, tree.points, seed));
   std::vector<Row> rows;
-  for(const Outcome& outcome : skeletonize(points, options.as_published)) {
+  for(const Outcome& outcome : skeletonize(points, options)) {
     Row row;
     row.shape = "2^" + std::to_string(tree.levels) + " ends";
     row.seed = std::to_string(seed);

@@ -50,7 +50,7 @@ std::vector<Row> rows_of(const shapes::Known_shape& shape,
   for(const shapes::Variant variant : variants) {
     const std::vector<Point> points =
         to_points(shapes::sample(shape, variant, options.points, shape.seed));
-    for(const Outcome& outcome : skeletonize(points, options.as_published)) {
+    for(const Outcome& outcome : skeletonize(points, options)) {
       Row row;
       row.shape = shape.family;
       row.seed = std::to_string(shape.seed);

@@ -64,7 +64,7 @@ void add_cloud_rows(const Model& model, const std::string& turn, const Quality_o
   std::map<std::string, Skeleton> clean; // by method
   for(const double noise : options.noise) {
     const std::vector<Point> points = with_noise(model.points, noise * model.diagonal, 1);
-    for(const Outcome& outcome : skeletonize(points, options.as_published)) {
+    for(const Outcome& outcome : skeletonize(points, options)) {
       Row row = row_of(model, "noise " + fixed(noise, 3) + turn, outcome, points, options);
       if(noise > 0)
         measure_stability(row, outcome.skeleton, clean[outcome.method], model.diagonal);

@@ -9,6 +9,7 @@
 #include "detail.h"
 #include "generated.h"
 #include "meshes.h"
+#include "read_points.h"
 #include "scans.h"
 #include "sweep.h"
 
@@ -43,6 +44,14 @@ void add_points_option(CLI::App& command, Quality_options& options)
       ->check(CLI::Range(1, 100000000));
 }
 
+void add_beside_option(CLI::App& command, Quality_options& options)
+{
+  command
+      .add_option("--beside", options.beside,
+                  "what stands beside every cloud, and must not change its skeleton [nothing]")
+      ->type_name("FILE");
+}
+
 void add_turns_option(CLI::App& command, Quality_options& options)
 {
   command.add_option("--turns", options.turns, "also every input in N random orientations [0]")
@@ -69,6 +78,7 @@ CLI::App* add_generated(CLI::App& app, Quality_options& options)
   command->add_option("--variants", options.variants, "some only, a,b")->delimiter(',');
   add_seed_options(*command, options);
   add_points_option(*command, options);
+  add_beside_option(*command, options);
   add_common_options(*command, options);
   return command;
 }
@@ -99,6 +109,7 @@ CLI::App* add_meshes(CLI::App& app, Quality_options& options)
   command->add_flag("--mcf", options.mean_curvature_flow,
                     "also rows of CGAL's mean curvature flow on the mesh");
   add_points_option(*command, options);
+  add_beside_option(*command, options);
   add_common_options(*command, options);
   return command;
 }
@@ -109,6 +120,7 @@ CLI::App* add_clouds(CLI::App& app, Quality_options& options)
   command->add_option("FILES", options.files, "FILE, or FILE:COMPONENTS:CYCLES if they are known")
       ->required();
   add_turns_option(*command, options);
+  add_beside_option(*command, options);
   add_common_options(*command, options);
   return command;
 }
@@ -134,6 +146,7 @@ CLI::App* add_scans(CLI::App& app, Quality_options& options)
       ->delimiter(',')
       ->check(CLI::Range(1, 6));
   add_seed_options(*command, options, 1);
+  add_beside_option(*command, options);
   add_common_options(*command, options);
   return command;
 }
@@ -169,6 +182,8 @@ int run(int argc, char** argv)
   } catch(const CLI::ParseError& error) {
     throw std::runtime_error(std::string(error.what()) + " (try --help)");
   }
+  if(!options.beside.empty())
+    options.neighbor = read_points<Point>(options.beside);
   if(generated->parsed())
     generated::run(options);
   if(detail->parsed())

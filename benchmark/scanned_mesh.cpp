@@ -39,7 +39,6 @@ Scene scanned_mesh(const std::string& file, unsigned int seed)
   scene.shape.cycles = *model.truth.cycles;
   for(const Mesh::Face_index face : model.mesh.faces())
     scene.shape.sheets.push_back(triangle_of(face, model.mesh));
-  const bool also_as_published = false;
-  scene.reference = skeletonize(model.points, also_as_published).front().skeleton;
+  scene.reference = skeletonize(model.points, Quality_options()).front().skeleton;
   return scene;
 }

@@ -38,7 +38,7 @@ std::vector<Row> rows_of(Row row, const Skeleton& reference,
                          const std::vector<shapes::Axis_segment>& axis,
                          const std::vector<Point>& points, const Quality_options& options)
 {
-  std::vector<Outcome> outcomes = skeletonize(points, options.as_published);
+  std::vector<Outcome> outcomes = skeletonize(points, options);
   outcomes.push_back(baseline(points));
   std::vector<Row> rows;
   for(const Outcome& outcome : outcomes) {

@@ -32,7 +32,7 @@ int main(int argc, char** argv)
   const auto by_radius = [](const auto& a, const auto& b) { return a.radius < b.radius; };
   const auto widest = std::max_element(samples.samples.begin(), samples.samples.end(), by_radius);
   std::cout << samples.samples.size() << " samples, the widest ball has radius " << widest->radius
-            << "; noise " << samples.noise << '\n';
+            << "; noise " << samples.noise.front() << '\n';
 
   skeletonization.link();
   Skeletonization::Skeleton skeleton;

@@ -35,6 +35,9 @@ struct Medial_sample_3
 
   /// What the sample is in the middle of. For information: linking goes by positions.
   Medial_sample_kind kind = Medial_sample_kind::solid;
+
+  /// Number of the object of the scene that it is a sample of. Each object is linked by itself.
+  std::size_t object = 0;
 };
 
 /// \ingroup PkgPointSetSkeletonization3Ref
@@ -68,8 +71,9 @@ struct Medial_samples_3
   /// The bounding box of the points; empty if unknown.
   Bbox_3 bbox;
 
-  /// Strength of the noise removed from the patches, in [0, 1]; 0 if they were not moved.
-  typename GeomTraits::FT noise = 0;
+  /// Strength of the noise removed from the patches of each object, in [0, 1]; 0 if they were not
+  /// moved, and for objects beyond the last.
+  std::vector<typename GeomTraits::FT> noise;
 
   /// The points that the patches consist of, in any order. Patches are adjacent where their points
   /// are. If there are none, each patch is one point, its mean.

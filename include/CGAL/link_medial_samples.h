@@ -49,8 +49,8 @@ namespace CGAL {
 /// \throws std::invalid_argument if a mean is not finite, or a point of the surface; the message
 ///         names it by its position
 /// \throws std::length_error if the samples outnumber the values of an index
-/// \pre `samples.noise` is in [0, 1], and `samples.surface` is empty or has points of each sample,
-///   and of no other
+/// \pre each `samples.noise` is in [0, 1], the objects are numbered from 0 on, and `samples.surface` is
+///   empty or has points of each sample, and of no other
 template <typename ConcurrencyTag = Sequential_tag, typename GeomTraits, typename SkeletonGraph,
           typename NamedParameters = parameters::Default_named_parameters>
 bool link_medial_samples(const Medial_samples_3<GeomTraits>& samples, SkeletonGraph& skeleton,
@@ -60,7 +60,8 @@ bool link_medial_samples(const Medial_samples_3<GeomTraits>& samples, SkeletonGr
   static_assert(internal::Has_only<NamedParameters, internal_np::callback_t,
                                    internal_np::single_component_t, internal_np::is_tree_t>::value,
                 "unknown named parameter: known are callback, single_component, is_tree");
-  CGAL_precondition(samples.noise >= 0 && samples.noise <= 1);
+  CGAL_precondition(internal::have_possible_noise(samples));
+  CGAL_precondition(internal::have_possible_objects(samples));
   CGAL_precondition(internal::has_points_of_all_samples(samples));
   internal::Skeletonizer skeletonizer(internal::concurrency_of<ConcurrencyTag>(),
                                       internal::known_topology(np));

@@ -63,7 +63,8 @@ bool is_of_lines(const Gaussians& cloud)
 
 Consolidated_mixture consolidated(const Gaussians& cloud, double cell_size)
 {
-  return consolidate(cloud, cell_size, Consolidation_options(), Concurrency::sequential);
+  return consolidate(cloud, Neighborhood(cloud, Concurrency::sequential), cell_size,
+                     Consolidation_options(), Concurrency::sequential);
 }
 
 } // namespace

@@ -35,7 +35,8 @@ Consolidated_mixture consolidated(const Gaussians& mixture,
                                   Concurrency concurrency = Concurrency::sequential)
 {
   constexpr double no_cells = 0;
-  return consolidate(mixture, no_cells, Consolidation_options(), concurrency);
+  return consolidate(mixture, Neighborhood(mixture, concurrency), no_cells, Consolidation_options(),
+                     concurrency);
 }
 
 struct Measured_noise
@@ -399,7 +400,8 @@ TEST_CASE("Components that come to lie in one cell are merged, with their weight
   });
   const Consolidated_mixture apart = consolidated(plane);
   const Consolidated_mixture merged =
-    consolidate(plane, 0.05, Consolidation_options(), Concurrency::sequential);
+    consolidate(plane, Neighborhood(plane, Concurrency::sequential), 0.05, Consolidation_options(),
+                Concurrency::sequential);
   CHECK(merged.components.size() < apart.components.size() / 2);
   const auto weight = [](const Consolidated_mixture& mixture) {
     double sum = 0;
@@ -422,7 +424,8 @@ TEST_CASE("A mixture much finer than its noise is coarsened to it, whatever its 
         size, [&] { return Vector3((1 + sigma * random.normal()) * random.direction()); });
       const double cell_size = std::sqrt(4 * CGAL_PI / static_cast<double>(size));
       const Consolidated_mixture surface =
-        consolidate(sphere, cell_size, Consolidation_options(), Concurrency::sequential);
+        consolidate(sphere, Neighborhood(sphere, Concurrency::sequential), cell_size,
+                    Consolidation_options(), Concurrency::sequential);
       CHECK(surface.cell_size >= cell_size);
       double radius = 0; // planes fitted to a sphere are inside of it
       for(double r : kept(surface, [](const Vector3& p) { return p.norm(); }))

@@ -150,6 +150,7 @@ TEST_CASE("Every option has a range, in which its default is")
   const Silence silence;
   const auto check = [](const Options& options) {
     options.mixture.check();
+    options.scene.check();
     options.medial.consolidation.check();
     options.medial.surface.check();
     options.medial.samples.check();
@@ -185,9 +186,12 @@ TEST_CASE("Samples that cannot be violate a precondition")
   CGAL::Medial_samples_3<Kernel> samples;
   samples.samples.resize(2);
   Skeletonization::Skeleton skeleton;
-  samples.noise = 1.5;
+  samples.noise = {0, 1.5};
   CHECK_THROWS_AS(CGAL::link_medial_samples(samples, skeleton), CGAL::Precondition_exception);
-  samples.noise = 0;
+  samples.noise = {0};
+  samples.samples.back().object = 2; // there are no more objects than samples
+  CHECK_THROWS_AS(CGAL::link_medial_samples(samples, skeleton), CGAL::Precondition_exception);
+  samples.samples.back().object = 0;
   samples.surface.resize(2); // none of the second sample
   CHECK_THROWS_AS(CGAL::link_medial_samples(samples, skeleton), CGAL::Precondition_exception);
   samples.surface.back().sample = 2; // of a sample that is not there

@@ -172,7 +172,7 @@ TEST_CASE("Samples are inside of where their patches are, and those of a tube on
   const Samples samples = samples_of(cloud());
   REQUIRE(!samples.samples.empty());
   CHECK(samples.samples.size() <= mixture.levels.front().size());
-  CHECK(samples.noise == 0);
+  CHECK(samples.noise == std::vector<double>{0});
   const shapes::Shape shape = shapes::cylinder();
   std::size_t inside = 0;
   for(const auto& sample : samples.samples) {
@@ -187,7 +187,7 @@ TEST_CASE("Without noise the means of patches are those of the components they a
 {
   const Mixture mixture = CGAL::fit_gaussian_mixture(cloud());
   const Samples samples = samples_of(cloud());
-  REQUIRE(samples.noise == 0);
+  REQUIRE(samples.noise == std::vector<double>{0});
   const auto& components = mixture.levels.front();
   std::vector<double> weight(samples.samples.size(), 0);
   std::vector<shapes::Vector> sum(samples.samples.size(), shapes::Vector::Zero());

@@ -108,7 +108,8 @@ TEST_CASE("Every step leaves what the next one reads")
   CHECK(!samples.samples.empty());
   CHECK(samples.samples.size() <= steps.number_of_components()); // outliers have none
   CHECK(steps.number_of_samples() == samples.samples.size());
-  CHECK((samples.noise >= 0 && samples.noise <= 1));
+  REQUIRE(samples.noise.size() == 1);
+  CHECK((samples.noise[0] >= 0 && samples.noise[0] <= 1));
   double weight = 0;
   for(const auto& s : samples.samples) {
     REQUIRE(s.radius >= 0);

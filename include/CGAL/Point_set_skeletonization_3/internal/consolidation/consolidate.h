@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CONSOLIDATION_CONSOLIDATE_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CONSOLIDATION_CONSOLIDATE_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/consolidation/Neighborhood.h>
 #include <CGAL/Point_set_skeletonization_3/internal/consolidation/Scale_space.h>
 #include <CGAL/Point_set_skeletonization_3/internal/consolidation/cloud_of_lines.h>
 #include <CGAL/Point_set_skeletonization_3/internal/consolidation/measure_noise.h>
@@ -98,10 +99,10 @@ class Consolidation
 {
 public:
   /// Refers to mixture and options. O(n log n).
-  Consolidation(const Gaussians& mixture, const Consolidation_options& options,
-                Concurrency concurrency)
-    : options_(options), concurrency_(concurrency), tree_(means_of(mixture), concurrency),
-      nearest_(k_nearest_neighbors(tree_, surface_neighbors + 1, concurrency)),
+  Consolidation(const Gaussians& mixture, Neighborhood neighborhood,
+                const Consolidation_options& options, Concurrency concurrency)
+    : options_(options), concurrency_(concurrency), tree_(std::move(neighborhood.tree)),
+      nearest_(std::move(neighborhood.nearest)),
       spacings_(spacings(nearest_)),
       spacing_(std::max(quantile(spacings_, 0.5), (std::numeric_limits<double>::min)())),
       is_of_lines_(is_cloud_of_lines(mixture, tree_, nearest_)),
@@ -469,14 +470,14 @@ private:
 /// edge length `cell_size` are merged, or of a coarser grid if the noise is much wider than a cell
 /// (unless most are on lines: what looks like noise is the thickness of twigs); 0: none are.
 /// O(n log n). \pre there is a component
-inline Consolidated_mixture consolidate(const Gaussians& mixture, double cell_size,
-                                        const Consolidation_options& options,
+inline Consolidated_mixture consolidate(const Gaussians& mixture, Neighborhood neighborhood,
+                                        double cell_size, const Consolidation_options& options,
                                         Concurrency concurrency)
 {
   options.check();
   double coarser = 0;
   { // what was measured is forgotten before the coarser one
-    Consolidation fine(mixture, options, concurrency);
+    Consolidation fine(mixture, std::move(neighborhood), options, concurrency);
     coarser = options.resolution * fine.measure();
     // Cells that are hardly wider would only move the borders between the components.
     constexpr double worthwhile = 1.2;
@@ -484,7 +485,8 @@ inline Consolidated_mixture consolidate(const Gaussians& mixture, double cell_si
       return fine.run(cell_size);
   }
   const Merged_gaussians merged = merged_by_cell(mixture, coarser);
-  Consolidation coarse(merged.gaussians, options, concurrency);
+  Consolidation coarse(merged.gaussians, Neighborhood(merged.gaussians, concurrency), options,
+                       concurrency);
   constexpr bool is_averaged = true;
   coarse.measure(is_averaged);
   Consolidated_mixture result = coarse.run(coarser);

@@ -14,13 +14,12 @@
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Grid_mixture.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Moment_grid.h>
 #include <CGAL/Point_set_skeletonization_3/internal/pipeline/Options.h>
-#include <CGAL/Point_set_skeletonization_3/internal/pipeline/link_samples.h>
-#include <CGAL/Point_set_skeletonization_3/internal/pipeline/medial_surface.h>
+#include <CGAL/Point_set_skeletonization_3/internal/pipeline/link_objects.h>
+#include <CGAL/Point_set_skeletonization_3/internal/pipeline/medial_objects.h>
 
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -43,7 +42,7 @@ struct Skeletonizer::State
   std::vector<Gaussians> mixture; ///< Finest level first.
   double cell_size = 0;           ///< Of the finest level.
 
-  std::optional<Medial_surface> medial;
+  std::vector<Medial_object> objects;
 
   Skeleton_graph graph;
   std::vector<std::size_t> vertex_of_sample, vertex_of_component; ///< `none` for outliers.
@@ -81,7 +80,7 @@ struct Skeletonizer::State
   void forget_samples()
   {
     forget_skeleton();
-    medial.reset();
+    objects.clear();
   }
 
   void forget_skeleton()
@@ -92,39 +91,78 @@ struct Skeletonizer::State
     number_of_outliers = 0;
   }
 
-  /// The patch of a component of the mixture; `none` for outliers.
-  std::size_t patch_of_component(std::size_t i) const
+  /// Which samples and surface points are of an object.
+  struct Samples_of_object
   {
-    const std::size_t component = medial->consolidated.merged_into[i];
-    return component == Consolidated_mixture::none ? none
-                                                   : medial->surface.groups.group_of()[component];
-  }
+    std::vector<std::size_t> samples, surface;
+  };
 
-  /// The surface points before denoising, those of one sample consecutive.
-  std::vector<Surface_point> surface_points() const
+  /// Adds an object of which the samples are known. The surface points replace the components of
+  /// the mixture; without any, the patches do.
+  /// \param place of each sample among those of its object
+  void add_object(const Plain_samples& plain, const Samples_of_object& of_object,
+                  const std::vector<std::size_t>& place, double noise)
   {
-    std::vector<Surface_point> result;
-    result.reserve(mixture.front().size());
-    for(std::size_t i = 0; i < mixture.front().size(); ++i)
-      if(const std::size_t patch = patch_of_component(i); patch != none)
-        result.push_back({patch, mixture.front()[i].mean});
-    const auto is_before = [](const Surface_point& a, const Surface_point& b) {
-      return a.sample < b.sample;
+    Consolidated_mixture consolidated;
+    consolidated.noise = noise;
+    std::vector<std::size_t> components, patch_of_component;
+    const auto add_component = [&](std::size_t merged_into, const Gaussian& measured) {
+      consolidated.merged_into.push_back(merged_into);
+      components.push_back(mixture.front().size());
+      mixture.front().push_back(measured);
     };
-    std::stable_sort(result.begin(), result.end(), is_before);
-    return result;
+    std::map<Plain_point, std::size_t> component_at;
+    for(std::size_t k : of_object.surface) {
+      const Plain_surface_point& p = plain.surface[k];
+      const auto [found, is_new] =
+        component_at.emplace(p.denoised, consolidated.components.size());
+      if(is_new) {
+        consolidated.components.push_back(
+          {0, normalization.to_unit(to_vector(p.denoised)), Matrix3::Zero()});
+        patch_of_component.push_back(place[p.sample]);
+      }
+      consolidated.components[found->second].weight += p.weight;
+      add_component(found->second,
+                    {p.weight, normalization.to_unit(to_vector(p.point)), Matrix3::Zero()});
+    }
+    Samples samples;
+    for(std::size_t i : of_object.samples) {
+      const Plain_sample& sample = plain.samples[i];
+      samples.push_back({normalization.to_unit(to_vector(sample.point)),
+                         sample.radius / normalization.diagonal()});
+      if(plain.surface.empty()) {
+        patch_of_component.push_back(patch_of_component.size());
+        consolidated.components.push_back(from_plain(sample.patch, normalization));
+        add_component(place[i], consolidated.components.back());
+      }
+    }
+    consolidated.tree = Box_tree(means_of(consolidated.components), concurrency);
+    consolidated.neighbors =
+      k_nearest_neighbors(consolidated.tree, surface_neighbors + 1, concurrency);
+    Surface surface = build_surface(
+      consolidated.components, consolidated.tree,
+      estimate_patches(consolidated.components, consolidated.neighbors, options.medial.surface,
+                       concurrency),
+      Patch_groups(std::move(patch_of_component), samples.size()),
+      is_cloud_of_lines(consolidated.components, consolidated.tree, consolidated.neighbors),
+      options.medial.surface, concurrency);
+    objects.push_back({std::move(components),
+                       {std::move(consolidated), std::move(surface), std::move(samples)}});
   }
 
   void assign_components()
   {
-    double outlier_weight = 0;
     vertex_of_component.assign(mixture.front().size() + 1, none); // the last: of points far away
-    for(std::size_t i = 0; i < mixture.front().size(); ++i) {
-      const std::size_t patch = patch_of_component(i);
-      vertex_of_component[i] = patch == none ? none : vertex_of_sample[patch];
-      if(vertex_of_component[i] == none)
-        outlier_weight += mixture.front()[i].weight;
+    std::size_t first_sample = 0;
+    for(const Medial_object& object : objects) {
+      for(std::size_t k = 0; k < object.components.size(); ++k)
+        if(const std::size_t patch = object.patch_of(k); patch != Medial_object::none)
+          vertex_of_component[object.components[k]] = vertex_of_sample[first_sample + patch];
+      first_sample += object.medial.samples.size();
     }
+    double outlier_weight = 0;
+    for(std::size_t i = 0; i < mixture.front().size(); ++i)
+      outlier_weight += vertex_of_component[i] == none ? mixture.front()[i].weight : 0;
     number_of_outliers =
       number_of_far + static_cast<std::size_t>(outlier_weight); // a sum of integers
   }
@@ -225,8 +263,9 @@ void Skeletonizer::project(const Progress& progress)
   State& state = *state_;
   state.forget_samples();
   if(!state.mixture.empty())
-    state.medial = medial_surface(state.mixture.front(), state.cell_size,
-                                  state.options.medial, state.concurrency, progress);
+    state.objects = medial_objects(state.mixture.front(), state.cell_size,
+                                   state.options.scene_options(), state.options.medial,
+                                   state.concurrency, progress);
 }
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
@@ -246,49 +285,22 @@ void Skeletonizer::set_samples(const Plain_samples& plain)
     surface_extent.add(i, to_vector(plain.surface[i].denoised));
   }
 
-  // The surface points replace the components of the mixture; without any, the patches do.
-  Consolidated_mixture consolidated;
-  consolidated.noise = plain.noise;
-  std::vector<std::size_t> patch_of_component;
-  Gaussians& measured = state.mixture.emplace_back();
-  std::map<Plain_point, std::size_t> component_at;
-  for(const Plain_surface_point& p : plain.surface) {
-    const auto [found, is_new] =
-      component_at.emplace(p.denoised, consolidated.components.size());
-    if(is_new) {
-      consolidated.components.push_back(
-        {0, state.normalization.to_unit(to_vector(p.denoised)), Matrix3::Zero()});
-      patch_of_component.push_back(p.sample);
-    }
-    consolidated.components[found->second].weight += p.weight;
-    consolidated.merged_into.push_back(found->second);
-    measured.push_back(
-      {p.weight, state.normalization.to_unit(to_vector(p.point)), Matrix3::Zero()});
+  std::vector<State::Samples_of_object> objects;
+  std::vector<std::size_t> place(plain.samples.size()); // among the samples of its object
+  for(std::size_t i = 0; i < plain.samples.size(); ++i) {
+    const std::size_t object = plain.samples[i].object;
+    if(object >= objects.size())
+      objects.resize(object + 1);
+    place[i] = objects[object].samples.size();
+    objects[object].samples.push_back(i);
   }
-  Samples samples;
-  for(const Plain_sample& sample : plain.samples) {
-    samples.push_back({state.normalization.to_unit(to_vector(sample.point)),
-                       sample.radius / state.normalization.diagonal()});
-    if(plain.surface.empty()) {
-      consolidated.merged_into.push_back(measured.size());
-      patch_of_component.push_back(measured.size());
-      measured.push_back(from_plain(sample.patch, state.normalization));
-      consolidated.components.push_back(measured.back());
-    }
-  }
-  consolidated.tree = Box_tree(means_of(consolidated.components), state.concurrency);
-  consolidated.neighbors =
-    k_nearest_neighbors(consolidated.tree, surface_neighbors + 1, state.concurrency);
-  const Surface_options& options = state.options.medial.surface;
-  Surface surface =
-    build_surface(consolidated.components, consolidated.tree,
-                  estimate_patches(consolidated.components, consolidated.neighbors, options,
-                                   state.concurrency),
-                  Patch_groups(std::move(patch_of_component), samples.size()),
-                  is_cloud_of_lines(consolidated.components, consolidated.tree,
-                                    consolidated.neighbors),
-                  options, state.concurrency);
-  state.medial = Medial_surface{std::move(consolidated), std::move(surface), std::move(samples)};
+  for(std::size_t k = 0; k < plain.surface.size(); ++k)
+    objects[plain.samples[plain.surface[k].sample].object].surface.push_back(k);
+  state.mixture.emplace_back();
+  for(std::size_t object = 0; object < objects.size(); ++object)
+    if(!objects[object].samples.empty())
+      state.add_object(plain, objects[object], place,
+                       object < plain.noise.size() ? plain.noise[object] : 0);
 }
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
@@ -296,12 +308,10 @@ void Skeletonizer::link(const Progress& progress)
 {
   State& state = *state_;
   state.forget_skeleton();
-  if(!state.medial)
+  if(state.objects.empty())
     return;
-  const Medial_surface& medial = *state.medial;
-  Linked_samples linked =
-    link_samples(medial.surface, medial.samples, medial.consolidated.noise,
-                 state.surface_points(), state.options.linking, state.concurrency, progress);
+  Linked_samples linked = link_objects(state.objects, state.mixture.front(),
+                                       state.options.linking, state.concurrency, progress);
   state.graph = std::move(linked.graph);
   state.vertex_of_sample = std::move(linked.vertex_of_sample);
   state.assign_components();
@@ -317,27 +327,29 @@ CGAL_POINT_SET_SKELETONIZATION_3_INLINE
 Plain_samples Skeletonizer::samples() const
 {
   Plain_samples result;
-  if(!state_->medial)
-    return result;
-  const Medial_surface& medial = *state_->medial;
   const Normalization& normalization = state_->normalization;
-  const std::vector<Medial_sample_kind> kinds =
-    sample_kinds(medial.surface, medial.samples, state_->options.linking.separators.overlap);
-  for(std::size_t i = 0; i < medial.samples.size(); ++i)
-    result.samples.push_back({to_plain(medial.surface.gaussians[i], normalization),
-                              to_plain(medial.samples[i].position, normalization),
-                              medial.samples[i].radius * normalization.diagonal(), kinds[i]});
-  result.noise = medial.consolidated.noise;
   result.box = plain_box(normalization);
-  for(std::size_t i = 0; i < state_->mixture.front().size(); ++i) {
-    const std::size_t component = medial.consolidated.merged_into[i];
-    if(component == Consolidated_mixture::none)
-      continue;
-    const Gaussian& measured = state_->mixture.front()[i];
-    result.surface.push_back(
-      {to_plain(measured.mean, normalization),
-       to_plain(medial.consolidated.components[component].mean, normalization), measured.weight,
-       medial.surface.groups.group_of()[component]});
+  for(const Medial_object& object : state_->objects) {
+    const Medial_surface& medial = object.medial;
+    const std::size_t first = result.samples.size();
+    const std::vector<Medial_sample_kind> kinds =
+      sample_kinds(medial.surface, medial.samples, state_->options.linking.separators.overlap);
+    for(std::size_t i = 0; i < medial.samples.size(); ++i)
+      result.samples.push_back({to_plain(medial.surface.gaussians[i], normalization),
+                                to_plain(medial.samples[i].position, normalization),
+                                medial.samples[i].radius * normalization.diagonal(), kinds[i],
+                                result.noise.size()});
+    result.noise.push_back(medial.consolidated.noise);
+    for(std::size_t k = 0; k < object.components.size(); ++k) {
+      const std::size_t component = medial.consolidated.merged_into[k];
+      if(component == Consolidated_mixture::none)
+        continue;
+      const Gaussian& measured = state_->mixture.front()[object.components[k]];
+      result.surface.push_back(
+        {to_plain(measured.mean, normalization),
+         to_plain(medial.consolidated.components[component].mean, normalization), measured.weight,
+         first + medial.surface.groups.group_of()[component]});
+    }
   }
   return result;
 }
@@ -368,7 +380,10 @@ std::size_t Skeletonizer::number_of_components() const
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
 std::size_t Skeletonizer::number_of_samples() const
 {
-  return state_->medial ? state_->medial->samples.size() : 0;
+  std::size_t result = 0;
+  for(const Medial_object& object : state_->objects)
+    result += object.medial.samples.size();
+  return result;
 }
 
 CGAL_POINT_SET_SKELETONIZATION_3_INLINE
@@ -387,7 +402,7 @@ CGAL_POINT_SET_SKELETONIZATION_3_INLINE
 void Skeletonizer::fill_point_indices_and_forget(const Index_lists& lists)
 {
   state_->mixture.clear();
-  state_->medial.reset();
+  state_->objects.clear();
   state_->fill_point_indices(
     lists, [this](std::size_t end) { state_->cell_of_point.forget_below(end); });
 }

@@ -49,6 +49,7 @@ struct Plain_sample
   Plain_point point{};
   double radius = 0;
   Medial_sample_kind kind = Medial_sample_kind::solid;
+  std::size_t object = 0;
 };
 
 struct Plain_surface_point
@@ -62,7 +63,7 @@ struct Plain_samples
 {
   Plain_box box;
   std::vector<Plain_sample> samples;
-  double noise = 0; ///< In [0, 1].
+  std::vector<double> noise; ///< Of each object, in [0, 1]; 0 where there is none.
   std::vector<Plain_surface_point> surface;
 };
 

@@ -115,13 +115,31 @@ Medial_samples_3<GeomTraits> to_public(const Plain_samples& samples, const GeomT
   Medial_samples_3<GeomTraits> result;
   for(const Plain_sample& s : samples.samples)
     result.samples.push_back(
-      {to_public(s.patch, traits), to_public(s.point, traits), static_cast<FT>(s.radius), s.kind});
-  result.noise = static_cast<FT>(samples.noise);
+      {to_public(s.patch, traits), to_public(s.point, traits), static_cast<FT>(s.radius), s.kind,
+       s.object});
+  for(double noise : samples.noise)
+    result.noise.push_back(static_cast<FT>(noise));
   result.bbox = to_public(samples.box);
   for(const Plain_surface_point& p : samples.surface)
     result.surface.push_back({to_public(p.point, traits), to_public(p.denoised, traits),
                               static_cast<FT>(p.weight), p.sample});
   return result;
+}
+
+/// Whether the strength of the noise of each object is in [0, 1].
+template <typename GeomTraits>
+bool have_possible_noise(const Medial_samples_3<GeomTraits>& samples)
+{
+  return std::all_of(samples.noise.begin(), samples.noise.end(),
+                     [](const auto& noise) { return noise >= 0 && noise <= 1; });
+}
+
+/// Whether there are no more objects than samples.
+template <typename GeomTraits>
+bool have_possible_objects(const Medial_samples_3<GeomTraits>& samples)
+{
+  return std::all_of(samples.samples.begin(), samples.samples.end(),
+                     [&](const auto& s) { return s.object < samples.samples.size(); });
 }
 
 /// Whether the surface points of samples, if there are any, are of each sample, and of no other.
@@ -145,8 +163,9 @@ Plain_samples to_plain(const Medial_samples_3<GeomTraits>& samples)
   Plain_samples result;
   for(const auto& s : samples.samples)
     result.samples.push_back(
-      {to_plain(s.patch), to_plain(s.point), CGAL::to_double(s.radius), s.kind});
-  result.noise = CGAL::to_double(samples.noise);
+      {to_plain(s.patch), to_plain(s.point), CGAL::to_double(s.radius), s.kind, s.object});
+  for(const auto& noise : samples.noise)
+    result.noise.push_back(CGAL::to_double(noise));
   result.box = to_plain(samples.bbox);
   for(const auto& p : samples.surface)
     result.surface.push_back(

@@ -4,6 +4,7 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PIPELINE_MEDIAL_SURFACE_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_PIPELINE_MEDIAL_SURFACE_H
 
+#include <CGAL/Point_set_skeletonization_3/internal/consolidation/Neighborhood.h>
 #include <CGAL/Point_set_skeletonization_3/internal/consolidation/consolidate.h>
 #include <CGAL/Point_set_skeletonization_3/internal/consolidation/merge_rows.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
@@ -56,15 +57,16 @@ inline Surface surface_of(Consolidated_mixture& consolidated, const Surface_opti
                        concurrency);
 }
 
-/// Stage 2: returns the denoised surface of mixture components and its medial samples. `cell_size`
+/// Parts 2a to 2c: returns the denoised surface of mixture components and its medial samples. `cell_size`
 /// is the edge length of the grid cells of the components, 0 without a grid. O(n log n). \pre there
 /// is a component
-inline Medial_surface medial_surface(const Gaussians& components, double cell_size,
-                                     const Medial_surface_options& options,
+inline Medial_surface medial_surface(const Gaussians& components, Neighborhood neighborhood,
+                                     double cell_size, const Medial_surface_options& options,
                                      Concurrency concurrency, const Progress& progress)
 {
   Consolidated_mixture consolidated =
-    with_rows_merged(consolidate(components, cell_size, options.consolidation, concurrency),
+    with_rows_merged(consolidate(components, std::move(neighborhood), cell_size,
+                                 options.consolidation, concurrency),
                      options.surface.flatness, concurrency);
   progress(0.4);
   Surface surface = surface_of(consolidated, options.surface, concurrency);
