@@ -52,6 +52,7 @@ refuses nonsense scans --families nonsense
 refuses --places scans --places 7
 refuses --families scans --families tree --meshes closed.off
 refuses COMPONENTS clouds cloud.xyz:many
+refuses "no_such_file" clouds cloud.xyz --beside no_such_file.xyz
 
 accepts generated --families ring --seeds 2 --variants clean,noise_half_percent --points 1000 \
   --csv table.csv
@@ -177,6 +178,8 @@ has method 2 published
 has comp_true 3 5
 has exact 3 NO
 check "a miss is written" test -s misses/a_cloud.xyz -a -s misses/a_cloud_default.ply
+accepts clouds cloud.xyz:1 --beside "a cloud.xyz" --csv table.csv
+has exact 1 yes
 accepts clouds cloud.xyz "a cloud.xyz" --turns 2 --csv table.csv
 check "a head and a row for every cloud in every orientation" test "$(wc -l < table.csv)" = 7
 has points 6 600

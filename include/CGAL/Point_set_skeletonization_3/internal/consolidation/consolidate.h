@@ -469,7 +469,7 @@ private:
 /// Part 2a: returns the mixture without noise and outliers. Components that move into one cell of
 /// edge length `cell_size` are merged, or of a coarser grid if the noise is much wider than a cell
 /// (unless most are on lines: what looks like noise is the thickness of twigs); 0: none are.
-/// O(n log n). \pre there is a component
+/// O(n log n). \pre there is a component, and `neighborhood` is that of the mixture
 inline Consolidated_mixture consolidate(const Gaussians& mixture, Neighborhood neighborhood,
                                         double cell_size, const Consolidation_options& options,
                                         Concurrency concurrency)
