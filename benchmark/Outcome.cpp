@@ -8,6 +8,7 @@
 #include "methods/l1_medial.h"
 #include "methods/l1_medial_published.h"
 #include "methods/spanning_tree.h"
+#include "part_before.h"
 
 #include <CGAL/Real_timer.h>
 
@@ -54,6 +55,6 @@ std::vector<Outcome> skeletonize(const std::vector<Point>& points, const Quality
     outcomes.push_back(run_method("published", l1_medial_published, input));
   if(!options.neighbor.empty())
     for(Outcome& outcome : outcomes)
-      outcome.skeleton = part_of_cloud(outcome.skeleton, scene.border);
+      outcome.skeleton = metrics::part_before(scene.border, outcome.skeleton);
   return outcomes;
 }

@@ -3,12 +3,9 @@
 
 #include "beside.h"
 
-#include <CGAL/Bbox_3.h>
-#include <CGAL/Iterator_range.h>
 #include <CGAL/bounding_box.h>
 
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 Scene_beside beside(const std::vector<Point>& cloud, const std::vector<Point>& neighbor)
@@ -23,25 +20,5 @@ Scene_beside beside(const std::vector<Point>& cloud, const std::vector<Point>& n
   const Point corner = (box.min)() + (box.xmax() - box.xmin() + gap) * Kernel::Vector_3(1, 0, 0);
   for(const Point& p : neighbor)
     result.points.push_back(corner + scale * (p - (other.min)()));
-  return result;
-}
-
-Skeleton part_of_cloud(const Skeleton& skeleton, double border)
-{
-  Skeleton result;
-  std::vector<Skeleton::vertex_descriptor> copies(num_vertices(skeleton));
-  const auto is_kept = [&](auto v) { return skeleton[v].point.x() < border; };
-  for(const auto v : CGAL::make_range(vertices(skeleton)))
-    if(is_kept(v))
-      copies[v] = add_vertex(skeleton[v], result);
-  for(const auto e : CGAL::make_range(edges(skeleton))) {
-    const auto a = source(e, skeleton), b = target(e, skeleton);
-    if(is_kept(a) && is_kept(b))
-      add_edge(copies[a], copies[b], skeleton[e], result);
-    else if(is_kept(a) != is_kept(b)) {
-      const auto outside = add_vertex(skeleton[is_kept(a) ? b : a], result);
-      add_edge(copies[is_kept(a) ? a : b], outside, skeleton[e], result);
-    }
-  }
   return result;
 }

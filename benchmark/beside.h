@@ -19,8 +19,4 @@ struct Scene_beside
 /// \pre both clouds have points
 Scene_beside beside(const std::vector<Point>& cloud, const std::vector<Point>& neighbor);
 
-/// The part of a skeleton of a scene that is on the side of the cloud. An edge across the border
-/// leaves an end.
-Skeleton part_of_cloud(const Skeleton& skeleton, double border);
-
 #endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_BESIDE_H

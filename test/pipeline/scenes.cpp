@@ -9,9 +9,9 @@
 #include "generator/scanned_families.h"
 #include "generator/scanner.h"
 #include "graph_counts.h"
+#include "part_before.h"
 #include "skeleton_checks.h"
 
-#include <CGAL/Iterator_range.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/compute_medial_samples.h>
 #include <CGAL/extract_l1_medial_skeleton.h>
@@ -65,24 +65,6 @@ Skeleton skeleton_of(const std::vector<Vector>& cloud)
   return skeleton;
 }
 
-/// The counts of what is left of a plane across the first axis.
-Graph_counts counts_left_of(double border, const Skeleton& skeleton)
-{
-  Skeleton part;
-  std::vector<Skeleton::vertex_descriptor> copies(num_vertices(skeleton));
-  const auto is_left = [&](auto v) { return skeleton[v].point.x() < border; };
-  for(const auto v : CGAL::make_range(vertices(skeleton)))
-    if(is_left(v))
-      copies[v] = add_vertex(part);
-  for(const auto e : CGAL::make_range(edges(skeleton))) {
-    const auto a = source(e, skeleton), b = target(e, skeleton);
-    REQUIRE(is_left(a) == is_left(b));
-    if(is_left(a))
-      add_edge(copies[a], copies[b], part);
-  }
-  return count_graph(part);
-}
-
 std::vector<Vector> beside(std::vector<Vector> cloud, const std::vector<Vector>& other,
                            double distance)
 {
@@ -113,8 +95,9 @@ TEST_CASE("What stands beside an object does not change what it is made of")
     CHECK(alone.components == 1);
     for(std::size_t other = 0; other < objects.size(); ++other) {
       CAPTURE(k, other);
-      const Graph_counts counts = counts_left_of(
-        1.1, skeleton_of(beside(objects[k], objects[other], distance)));
+      const Skeleton scene = skeleton_of(beside(objects[k], objects[other], distance));
+      CHECK(count_graph(scene).components == 2);
+      const Graph_counts counts = count_graph(metrics::part_before(distance / 2, scene));
       CHECK(counts.components == alone.components);
       CHECK(counts.cycles == alone.cycles);
     }
