@@ -4,12 +4,14 @@
 // What stands beside an object does not change it.
 
 #include "catch2.h"
+#include "generator/Random.h"
 #include "generator/clouds.h"
 #include "generator/families.h"
 #include "generator/scanned_families.h"
 #include "generator/scanner.h"
 #include "graph_counts.h"
 #include "part_before.h"
+#include "shapes.h"
 #include "skeleton_checks.h"
 
 #include <CGAL/Simple_cartesian.h>
@@ -19,6 +21,8 @@
 #include <CGAL/link_medial_samples.h>
 
 #include <Eigen/Geometry>
+
+#include <boost/range/iterator_range.hpp>
 
 #include <cstddef>
 #include <vector>
@@ -101,6 +105,32 @@ TEST_CASE("What stands beside an object does not change what it is made of")
       CHECK(counts.components == alone.components);
       CHECK(counts.cycles == alone.cycles);
     }
+  }
+}
+
+TEST_CASE("A few points beside a small object are outliers of the scene")
+{
+  // Parts of their own while they were compared with that object only.
+  for(const unsigned int seed : {1u, 2u, 3u, 4u, 5u}) {
+    CAPTURE(seed);
+    shapes::Random random(seed);
+    std::vector<Vector> cloud = shapes::sample(shapes::cylinder(), 10000, seed);
+    const Vector twig(3, 0, 0);
+    const auto add = [&](double x, double z) {
+      const Vector noise = 0.002 * random.normal_vector();
+      cloud.push_back(twig + Vector(x, 0, z) + noise);
+    };
+    constexpr std::size_t few = 4;
+    for(int i = 0; i < 130; ++i)
+      add(0, random.uniform(0, 0.5));
+    for(std::size_t i = 0; i < few; ++i)
+      add(0.07, i % 2 == 0 ? 0.25 : 0.26);
+    const Skeleton skeleton = skeleton_of(cloud);
+    CHECK(count_graph(skeleton).components == 2);
+    std::size_t explained = 0;
+    for(const auto v : boost::make_iterator_range(vertices(skeleton)))
+      explained += skeleton[v].indices.size();
+    CHECK(explained <= cloud.size() - few);
   }
 }
 

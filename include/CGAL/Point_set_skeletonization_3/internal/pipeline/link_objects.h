@@ -9,6 +9,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/bridge_gaps.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/fit_curve.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/join_fragments.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/stray_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/pipeline/Linking_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/pipeline/link_samples.h>
 #include <CGAL/Point_set_skeletonization_3/internal/pipeline/medial_objects.h>
@@ -63,6 +65,23 @@ inline std::vector<double> numbers_of_points(const Linked_samples& linked,
   return result;
 }
 
+/// Drops what is stray beside the largest component of a scene: an object has few points, and what is
+/// stray beside it even fewer. O(n).
+/// \param points number of points of each vertex
+inline void drop_strays(Linked_samples& linked, const std::vector<double>& points,
+                        double stray_share)
+{
+  const std::vector<bool> is_stray = stray_vertices(linked.graph, points, stray_share);
+  std::vector<std::size_t> number;
+  std::size_t kept = 0;
+  for(bool stray : is_stray)
+    number.push_back(stray ? Linked_samples::none : kept++);
+  for(std::size_t& v : linked.vertex_of_sample)
+    if(v != Linked_samples::none)
+      v = number[v];
+  linked.graph = without(linked.graph, is_stray);
+}
+
 /// Stage 3: returns the curve skeleton of a scene, and the vertex of each sample of one object after
 /// the other. Each is linked by itself; then what was seen of one may turn out to be a fragment of
 /// another. O(n log n) in practice.
@@ -86,7 +105,9 @@ inline Linked_samples link_objects(const std::vector<Medial_object>& objects,
            result);
   }
   if(objects.size() > 1) {
-    join_fragments(result.graph, numbers_of_points(result, objects), options.curve);
+    const std::vector<double> points = numbers_of_points(result, objects);
+    join_fragments(result.graph, points, options.curve);
+    drop_strays(result, points, options.curve.stray_share);
     if(options.known.single_component)
       join_all(result.graph);
   }
