@@ -80,6 +80,50 @@ TEST_CASE("Half of a trunk, seen from one side, goes on behind a gap as long as 
   }
 }
 
+TEST_CASE("A strip that was seen on one side of a limb only belongs to it, though it hangs at its tip")
+{
+  // Three limbs, each with two slits along it; where it begins, a piece of one strip is missing
+  // too. That strip was a limb that leads back.
+  constexpr double radius = 0.1;
+  const double slit = GENERATE(0.5, 0.8, 1.0);
+  for(const unsigned int seed : seeds) {
+    CAPTURE(slit, seed);
+    shapes::Random random(seed);
+    const auto direction = [](int limb) {
+      const double angle = limb * 2 * shapes::pi / 3;
+      return Vector(std::cos(angle), std::sin(angle), 0);
+    };
+    const auto is_in_limb = [&](const Vector& p, int limb) {
+      const double along = (std::max)(0.0, direction(limb).dot(p));
+      return (p - along * direction(limb)).norm() < 0.999 * radius;
+    };
+    std::vector<Vector> points;
+    for(int limb = 0; limb < 3; ++limb) {
+      const Vector axis = direction(limb), side = axis.cross(Vector::UnitZ());
+      for(int i = 0; i < 3000; ++i) {
+        const double along = random.uniform(0, 1);
+        const double angle = random.uniform(-shapes::pi, shapes::pi);
+        const bool is_in_front = std::abs(angle) < shapes::pi / 2;
+        const Vector p =
+          along * axis + radius * (std::cos(angle) * Vector::UnitZ() + std::sin(angle) * side);
+        if(std::abs(std::abs(angle) - shapes::pi / 2) > slit / 2 &&
+           !(is_in_front && std::abs(along - 0.35) < 0.06) && !is_in_limb(p, (limb + 1) % 3) &&
+           !is_in_limb(p, (limb + 2) % 3))
+          points.push_back(p);
+      }
+      for(int i = 0; i < 300; ++i) {
+        const Vector beyond = random.direction();
+        if(beyond.dot(axis) > 0)
+          points.push_back(axis + radius * beyond);
+      }
+    }
+    const Graph_counts counts = counts_of(points);
+    CHECK(counts.components == 1);
+    CHECK(counts.cycles == 0);
+    CHECK(counts.ends == 3);
+  }
+}
+
 TEST_CASE("A bridge makes no loop: a ring with a gap in it stays open")
 {
   for(const unsigned int seed : seeds) {

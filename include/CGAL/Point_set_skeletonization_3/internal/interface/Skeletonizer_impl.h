@@ -11,6 +11,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/interface/fill_indices.h>
 #include <CGAL/Point_set_skeletonization_3/internal/interface/plain_conversion.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/sample_kinds.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/span_holes.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Grid_mixture.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Moment_grid.h>
 #include <CGAL/Point_set_skeletonization_3/internal/pipeline/Options.h>
@@ -146,6 +147,7 @@ struct Skeletonizer::State
       Patch_groups(std::move(patch_of_component), samples.size()),
       is_cloud_of_lines(consolidated.components, consolidated.tree, consolidated.neighbors),
       options.medial.surface, concurrency);
+    span_holes(surface, samples, options.medial.samples, concurrency);
     objects.push_back({std::move(components),
                        {std::move(consolidated), std::move(surface), std::move(samples)}});
   }

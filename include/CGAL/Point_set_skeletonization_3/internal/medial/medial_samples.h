@@ -5,11 +5,10 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_MEDIAL_SAMPLES_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/Medial_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/medial_balls.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
-
-#include <CGAL/assertions.h>
 
 #include <cstddef>
 #include <vector>
@@ -17,29 +16,6 @@
 namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
-
-/// Options of part 2c, medial samples.
-struct Medial_options
-{
-  /// Greatest change of the radius over a path along the surface, per length, > 0: thickness
-  /// changes no faster. What faces the tip of a limb is the body at its other end, not the other
-  /// side of the tip.
-  double slope = 0.5;
-
-  /// Radii, >= 1; greatest distance of a sample from its patch, plus one spacing. A limb is wider
-  /// than thick, and in a flat part a sample slides along its medial sheet.
-  double reach = 3;
-
-  void check() const { CGAL_precondition(slope > 0 && reach >= 1); }
-
-  /// Calls `visit(name, value)` for every option.
-  template <typename Visit>
-  void visit(const Visit& visit)
-  {
-    visit("slope", slope);
-    visit("reach", reach);
-  }
-};
 
 /// Part 2c: returns for each patch the centre of its medial ball and the distance to the nearest
 /// visible patch. The sample stays on its patch if the orientation is not trusted, the centre is

@@ -65,8 +65,8 @@ inline std::vector<double> numbers_of_points(const Linked_samples& linked,
   return result;
 }
 
-/// Drops what is stray beside the largest component of a scene: an object has few points, and what is
-/// stray beside it even fewer. O(n).
+/// Drops what is stray beside the largest component of a scene: in an object of a hundred points two
+/// would be more than a share of it. O(n).
 /// \param points number of points of each vertex
 inline void drop_strays(Linked_samples& linked, const std::vector<double>& points,
                         double stray_share)

@@ -11,6 +11,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/medial_samples.h>
+#include <CGAL/Point_set_skeletonization_3/internal/medial/span_holes.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/K_nearest_neighbors.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_groups.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
@@ -57,9 +58,9 @@ inline Surface surface_of(Consolidated_mixture& consolidated, const Surface_opti
                        concurrency);
 }
 
-/// Parts 2a to 2c: returns the denoised surface of mixture components and its medial samples. `cell_size`
-/// is the edge length of the grid cells of the components, 0 without a grid. O(n log n). \pre there
-/// is a component
+/// Parts 2a to 2d: returns the denoised surface of mixture components and its medial samples.
+/// `cell_size` is the edge length of the grid cells of the components, 0 without a grid.
+/// O(n log n). \pre there is a component
 inline Medial_surface medial_surface(const Gaussians& components, Neighborhood neighborhood,
                                      double cell_size, const Medial_surface_options& options,
                                      Concurrency concurrency, const Progress& progress)
@@ -72,6 +73,7 @@ inline Medial_surface medial_surface(const Gaussians& components, Neighborhood n
   Surface surface = surface_of(consolidated, options.surface, concurrency);
   progress(0.7);
   Samples samples = medial_samples(surface, options.samples, concurrency);
+  span_holes(surface, samples, options.samples, concurrency);
   progress(1);
   return {std::move(consolidated), std::move(surface), std::move(samples)};
 }
