@@ -14,6 +14,7 @@
 struct Quality_options
 {
   std::vector<std::string> families; ///< all if empty
+  std::vector<std::string> constants; ///< names of options of the method; all if empty
   std::vector<std::string> variants; ///< all if empty
   unsigned int seeds = 1;            ///< shapes of every family
   unsigned int first_seed = 1;       ///< of the first of them

@@ -157,6 +157,9 @@ CLI::App* add_sweep(CLI::App& app, Quality_options& options)
       app.add_subcommand("sweep", "every option moved by 20 %, on generated shapes");
   add_seed_options(*command, options);
   add_points_option(*command, options);
+  command->add_option("--options", options.constants, "some only, a,b")
+      ->delimiter(',')
+      ->check(CLI::IsMember(sweep::option_names()));
   command->add_option("--threads", options.threads, "clouds at a time [1]")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));

@@ -101,6 +101,11 @@ std::vector<std::pair<std::string, double>> all_options()
   return result;
 }
 
+bool is_chosen(const std::string& name, const std::vector<std::string>& chosen)
+{
+  return chosen.empty() || std::find(chosen.begin(), chosen.end(), name) != chosen.end();
+}
+
 /// The clouds that are scans, or those that are not.
 std::vector<std::size_t> indices(const std::vector<Cloud>& clouds, bool are_scans)
 {
@@ -137,6 +142,14 @@ Changes changes(const std::vector<Cloud>& clouds, const std::vector<std::size_t>
 
 } // namespace
 
+std::vector<std::string> option_names()
+{
+  std::vector<std::string> result;
+  for(const auto& option : all_options())
+    result.push_back(option.first);
+  return result;
+}
+
 void run(const Quality_options& options)
 {
   constexpr double share = 0.2;
@@ -154,6 +167,8 @@ void run(const Quality_options& options)
   std::printf("\n");
   const std::vector<std::pair<std::string, double>> names = all_options();
   for(std::size_t k = 0; k < names.size(); ++k) {
+    if(!is_chosen(names[k].first, options.constants))
+      continue;
     std::array<std::vector<Counts>, 2> after; // lower, higher
     for(std::size_t side = 0; side < after.size(); ++side) {
       internal::Options moved;

@@ -6,11 +6,18 @@
 
 #include "Quality_options.h"
 
+#include <string>
+#include <vector>
+
 /// Moves every option of the default method by a share of its value, to either side, and prints how
 /// many skeletons of generated shapes and simulated scans are exact then, and how many changed
 /// their counts.
 namespace sweep {
 
+/// The names of the options, in their order.
+std::vector<std::string> option_names();
+
+/// Moves `options.constants` only, or all if there are none.
 void run(const Quality_options& options);
 
 } // namespace sweep

@@ -43,10 +43,18 @@ Skeleton_graph polygon(std::size_t size, double evidence)
   return graph;
 }
 
+std::vector<double> evidence_of(const Skeleton_graph& graph)
+{
+  std::vector<double> result;
+  for(const auto& vertex : graph.vertices)
+    result.push_back(vertex.evidence);
+  return result;
+}
+
 /// Opens loops with less mean evidence than this.
 Skeleton_graph opened_below(const Skeleton_graph& graph, double least)
 {
-  return with_loops_opened(graph, [&](const Loop& loop) {
+  return with_loops_opened(graph, evidence_of(graph), [&](const Loop& loop) {
     return evidence_along(loop, graph).evidence() >= least;
   });
 }
@@ -172,7 +180,7 @@ TEST_CASE("An edge beside a long loop is asked first for the short one that it c
   graph.edges.emplace_back(0, 40); // a detour around vertex 1
   graph.edges.emplace_back(40, 2);
   std::vector<std::size_t> sizes;
-  with_loops_opened(graph, [&](const Loop& loop) {
+  with_loops_opened(graph, evidence_of(graph), [&](const Loop& loop) {
     sizes.push_back(loop.size());
     return true;
   });
@@ -298,9 +306,36 @@ TEST_CASE("Two ways through one limb around a hole are one loop, two limbs are t
       vertex.radius = 0.2;
     }
     const Skeleton_graph opened = with_loops_opened(
-      graph, [&](const Loop& loop) { return room_for_hole(loop, graph) >= 1; });
+      graph, evidence_of(graph), [&](const Loop& loop) { return room_for_hole(loop, graph) >= 1; });
     CHECK(graph.edges.size() - opened.edges.size() == (inner > 0.5 ? 1 : 0));
   }
+}
+
+TEST_CASE("Of two ways through one limb the one that is no more than a thread is opened")
+{
+  // Two vertices beside each other between 0 and 2. One of them has a single component.
+  Surface_quotient quotient;
+  quotient.graph = polygon(10, 0.8);
+  quotient.graph.vertices.push_back(quotient.graph.vertices[1]);
+  quotient.graph.vertices[1].evidence = 0.7;
+  quotient.graph.edges.emplace_back(0, 10);
+  quotient.graph.edges.emplace_back(10, 2);
+  Patches patches(11);
+  for(std::size_t v = 0; v < patches.size(); ++v) {
+    quotient.graph.vertices[v].is_cross_section = true;
+    quotient.members.push_back({v});
+    patches[v].components = v == 10 ? 1 : 20;
+  }
+  const auto opened = [&] {
+    return with_loops_opened(quotient.graph, strengths(quotient, patches, 6),
+                             [](const Loop& loop) { return loop.size() > 4; });
+  };
+  CHECK(opened().edges.size() == 11);
+  CHECK(has_edge(opened(), 0, 1));
+  CHECK(has_edge(opened(), 1, 2));
+  quotient.graph.vertices[10].is_on_line = true; // there, no limb has more
+  CHECK(has_edge(opened(), 0, 10));
+  CHECK(has_edge(opened(), 10, 2));
 }
 
 TEST_CASE("Of two loops with a common side each is judged alone, and all stays connected")

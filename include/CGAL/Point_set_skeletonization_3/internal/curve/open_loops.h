@@ -232,17 +232,18 @@ private:
   std::vector<std::size_t> before_; ///< On the way from where a search began, during it.
 };
 
-/// Part 3c: returns the graph with loops opened where their evidence is least, unless
-/// `is_kept(loop)`. Edges are added in the order of their evidence, that of the weaker end. Of one
-/// that closes loops the shortest is asked: around a narrow hole, not the long way beside it. So
-/// are those between that one and others that were kept: two ways through one limb, on both sides
-/// of a gap in the data, lead around the same hole. O(n log n + loops times the vertices as near as
-/// their length).
+/// Part 3c: returns the graph with loops opened where they are weakest, unless `is_kept(loop)`. Edges
+/// are added in the order of their strength, that of the weaker end. Of one that closes loops the
+/// shortest is asked: around a narrow hole, not the long way beside it. So are those between that
+/// one and others that were kept: two ways through one limb, on both sides of a gap in the data,
+/// lead around the same hole. O(n log n + loops times the vertices as near as their length).
+/// \param strength of each vertex
 template <typename IsKept>
-Skeleton_graph with_loops_opened(Skeleton_graph graph, const IsKept& is_kept)
+Skeleton_graph with_loops_opened(Skeleton_graph graph, const std::vector<double>& strength,
+                                 const IsKept& is_kept)
 {
   const auto weaker_end = [&](const Skeleton_graph::Edge& e) {
-    return (std::min)(graph.vertices[e.first].evidence, graph.vertices[e.second].evidence);
+    return (std::min)(strength[e.first], strength[e.second]);
   };
   std::vector<Skeleton_graph::Edge> edges = graph.edges, opened;
   std::stable_sort(edges.begin(), edges.end(),
