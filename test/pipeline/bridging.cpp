@@ -80,7 +80,7 @@ TEST_CASE("Half of a trunk, seen from one side, goes on behind a gap as long as 
   }
 }
 
-TEST_CASE("A strip that was seen on one side of a limb only belongs to it, though it hangs at its tip")
+TEST_CASE("A strip of a limb belongs to it though its sides were not seen and it hangs at the tip")
 {
   // Three limbs, each with two slits along it; where it begins, a piece of one strip is missing
   // too. That strip was a limb that leads back.

@@ -87,7 +87,8 @@ public:
       return result;
     const Patch& patch = surface_.patches[i];
     const Ways_onwards around(patch, surface_.patches);
-    surface_.tree.visit_within(patch.mean, options_.widest_hole * ball_radius(i), [&](std::size_t k, double) {
+    const double reach = options_.widest_hole * ball_radius(i);
+    surface_.tree.visit_within(patch.mean, reach, [&](std::size_t k, double) {
       const std::size_t j = surface_.tree.order()[k];
       if(j != i && on_border_[j] && have_one_ball(i, j) &&
          around.is_open_towards(surface_.patches[j].mean - patch.mean) && are_across(i, j))
