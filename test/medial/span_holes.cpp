@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace span_holes_test {
@@ -97,6 +98,20 @@ TEST_CASE("What is across a slit along a limb becomes adjacent, and nothing else
         REQUIRE(place + j % left == left - 1); // one is on the one border, one on the other
     }
   }
+}
+
+TEST_CASE("Patches at one place, as of samples made elsewhere, are adjacent once")
+{
+  Patches patches = torus_with_slit(2);
+  const std::size_t copy = patches.size();
+  patches.push_back(patches.front()); // on the border
+  for(std::size_t i : patches.front().neighbors)
+    patches[i].neighbors.push_back(copy);
+  patches.front().neighbors.push_back(copy);
+  patches.back().neighbors.insert(patches.back().neighbors.begin(), 0);
+  for(const Patch& patch : with_holes_spanned(patches))
+    REQUIRE(std::adjacent_find(patch.neighbors.begin(), patch.neighbors.end(),
+                               std::greater_equal<std::size_t>()) == patch.neighbors.end());
 }
 
 TEST_CASE("A limb of which more than a third of the way around is missing may be open")

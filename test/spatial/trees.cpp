@@ -114,6 +114,7 @@ TEST_CASE("The points closer than a radius, each once")
           expected.push_back(i);
       std::sort(found.begin(), found.end());
       REQUIRE(found == expected);
+      REQUIRE(tree.has_any_within(q, radius) == !expected.empty());
     }
   }
 }

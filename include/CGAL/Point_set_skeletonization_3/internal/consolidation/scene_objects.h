@@ -89,25 +89,10 @@ public:
       return false;
     const Box_tree tree(places_);
     return std::any_of(other.places_.begin(), other.places_.end(),
-                       [&](const Vector3& p) { return has_any_within(gap, p, tree); });
+                       [&](const Vector3& p) { return tree.has_any_within(p, gap); });
   }
 
 private:
-  static bool has_any_within(double distance, const Vector3& place, const Box_tree& tree)
-  {
-    const double squared = distance * distance;
-    bool found = false;
-    tree.visit_leaves(
-      [&](std::size_t node) {
-        return !found && squared_distance(tree.boxes()[node], place) < squared;
-      },
-      [&](std::size_t begin, std::size_t end) {
-        for(std::size_t k = begin; k < end; ++k)
-          found = found || (tree.positions()[k] - place).squaredNorm() < squared;
-      });
-    return found;
-  }
-
   std::vector<Vector3> places_;
   double weight_ = 0, spacing_ = 0;
   Vector3 middle_ = Vector3::Zero();

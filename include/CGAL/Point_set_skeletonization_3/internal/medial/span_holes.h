@@ -65,40 +65,51 @@ private:
 class Limb_holes
 {
 public:
-  /// Refers to all arguments. O(patches).
+  /// Refers to all arguments. O(n log n).
   Limb_holes(const Surface& surface, const Samples& samples, const Medial_options& options,
              Concurrency concurrency)
-    : surface_(surface), samples_(samples), options_(options),
-      on_border_(surface.patches.size())
+    : surface_(surface), samples_(samples), options_(options)
   {
-    parallel_for(concurrency, on_border_.size(), [&](std::size_t i) {
-      const Patch& patch = surface_.patches[i];
-      on_border_[i] = is_off_surface(samples_[i], patch) &&
-                      Ways_onwards(patch, surface_.patches).has_border();
+    std::vector<char> is_on_border(surface.patches.size());
+    parallel_for(concurrency, is_on_border.size(), [&](std::size_t i) {
+      is_on_border[i] =
+        is_off_surface(samples[i], surface.patches[i]) && ways_onwards(i).has_border();
     });
+    std::vector<Vector3> places;
+    for(std::size_t i = 0; i < is_on_border.size(); ++i)
+      if(is_on_border[i]) {
+        border_.push_back(i);
+        ways_.push_back(ways_onwards(i));
+        places.push_back(surface.patches[i].mean);
+      }
+    tree_ = Box_tree(places, concurrency);
   }
 
-  /// Returns the patches across a hole from patch `i`, ascending; none if it is on no border.
-  /// O(log n + patches within its medial ball).
-  std::vector<std::size_t> across_from(std::size_t i) const
+  /// The patches on the border of a hole, ascending; the other side of the limb was seen.
+  const std::vector<std::size_t>& border() const { return border_; }
+
+  /// Returns the patches across a hole from the `b`-th of the border. O(log n) for each
+  /// patch of the border that is within its medial ball.
+  std::vector<std::size_t> across_from(std::size_t b) const
   {
     std::vector<std::size_t> result;
-    if(!on_border_[i])
-      return result;
-    const Patch& patch = surface_.patches[i];
-    const Ways_onwards around(patch, surface_.patches);
-    const double reach = options_.widest_hole * ball_radius(i);
-    surface_.tree.visit_within(patch.mean, reach, [&](std::size_t k, double) {
-      const std::size_t j = surface_.tree.order()[k];
-      if(j != i && on_border_[j] && have_one_ball(i, j) &&
-         around.is_open_towards(surface_.patches[j].mean - patch.mean) && are_across(i, j))
-        result.push_back(j);
+    const double reach = options_.widest_hole * ball_radius(border_[b]);
+    tree_.visit_within(mean(b), reach, [&](std::size_t k, double) {
+      const std::size_t other = tree_.order()[k];
+      if(other != b && have_one_ball(border_[b], border_[other]) && are_across(b, other))
+        result.push_back(border_[other]);
     });
-    std::sort(result.begin(), result.end());
     return result;
   }
 
 private:
+  Ways_onwards ways_onwards(std::size_t i) const
+  {
+    return Ways_onwards(surface_.patches[i], surface_.patches);
+  }
+
+  const Vector3& mean(std::size_t b) const { return surface_.patches[border_[b]].mean; }
+
   double ball_radius(std::size_t i) const
   {
     return (samples_[i].position - surface_.patches[i].mean).norm();
@@ -113,23 +124,21 @@ private:
            width < options_.widest_hole * radius;
   }
 
-  /// Whether there is nothing between two patches, the first of which is open towards the second.
-  bool are_across(std::size_t i, std::size_t j) const
+  /// Whether two of the border are open towards each other, with nothing between them.
+  bool are_across(std::size_t a, std::size_t b) const
   {
-    const Vector3 &from = surface_.patches[i].mean, &to = surface_.patches[j].mean;
-    if(!Ways_onwards(surface_.patches[j], surface_.patches).is_open_towards(from - to))
-      return false;
     constexpr double rounding = 1e-6; // both are on the sphere
-    bool is_empty = true;
-    surface_.tree.visit_within((from + to) / 2, (1 - rounding) * (to - from).norm() / 2,
-                               [&](std::size_t, double) { is_empty = false; });
-    return is_empty;
+    const Vector3 way = mean(b) - mean(a);
+    return ways_[a].is_open_towards(way) && ways_[b].is_open_towards(-way) &&
+           !surface_.tree.has_any_within(mean(a) + way / 2, (1 - rounding) * way.norm() / 2);
   }
 
   const Surface& surface_;
   const Samples& samples_;
   const Medial_options& options_;
-  std::vector<char> on_border_; ///< Of a hole; the other side of the limb was seen.
+  std::vector<std::size_t> border_;
+  std::vector<Ways_onwards> ways_; ///< Of each patch of the border.
+  Box_tree tree_;                  ///< Over these.
 };
 
 /// Part 2d: makes patches adjacent that are across a hole from each other. A limb of which a
@@ -142,14 +151,14 @@ inline void span_holes(Surface& surface, const Samples& samples, const Medial_op
                        Concurrency concurrency)
 {
   const Limb_holes holes(surface, samples, options, concurrency);
-  std::vector<std::vector<std::size_t>> across(samples.size());
+  std::vector<std::vector<std::size_t>> across(holes.border().size());
   parallel_for(concurrency, across.size(),
-               [&](std::size_t i) { across[i] = holes.across_from(i); });
-  for(std::size_t i = 0; i < across.size(); ++i) {
-    std::vector<std::size_t>& neighbors = surface.patches[i].neighbors;
-    const auto middle = static_cast<std::ptrdiff_t>(neighbors.size());
-    neighbors.insert(neighbors.end(), across[i].begin(), across[i].end());
-    std::inplace_merge(neighbors.begin(), neighbors.begin() + middle, neighbors.end());
+               [&](std::size_t b) { across[b] = holes.across_from(b); });
+  for(std::size_t b = 0; b < across.size(); ++b) {
+    std::vector<std::size_t>& neighbors = surface.patches[holes.border()[b]].neighbors;
+    neighbors.insert(neighbors.end(), across[b].begin(), across[b].end());
+    std::sort(neighbors.begin(), neighbors.end());
+    neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
   }
 }
 

@@ -117,6 +117,22 @@ public:
       });
   }
 
+  /// Whether a point is closer than `radius` to `center`. O(log n) in practice.
+  bool has_any_within(const Vector3& center, double radius) const
+  {
+    const double squared_radius = radius * radius;
+    bool found = false;
+    visit_leaves(
+      [&](std::size_t node) {
+        return !found && squared_distance(boxes()[node], center) < squared_radius;
+      },
+      [&](std::size_t begin, std::size_t end) {
+        for(std::size_t k = begin; k < end; ++k)
+          found = found || (positions()[k] - center).squaredNorm() < squared_radius;
+      });
+    return found;
+  }
+
   /// Calls `visit(begin, end)` for each leaf such that `enter(node)` is true for it and all its
   /// ancestors. Its points are those of `order()` from `begin` to before `end`, `leaf_size` at
   /// most.
