@@ -241,10 +241,19 @@ TEST_CASE("Points on half of a tube tell where its axis is, though the curve is 
       CHECK(half.circle.radius == Approx(2).epsilon(0.05));
     }
     CHECK(section(noisy_arc(175, 0.02, 60, 50)).share == 0); // not along the curve
-    CHECK(section(noisy_arc(100, 0.02, 60)).share == 0);     // as a folded leaf
-    CHECK(section(noisy_arc(175, 0.3, 60)).share == 0);      // scattered
-    CHECK(section(noisy_arc(360, 0.02, 60)).share == 0);     // seen from all sides
+    CHECK(section(noisy_arc(90, 0.02, 60)).share == 0);      // as a folded leaf
+    CHECK(section(noisy_arc(175, 1, 60)).share == 0);        // scattered
+    CHECK(section(noisy_arc(360, 0.02, 60)).share == 1);     // seen from all sides
     CHECK(section(noisy_arc(175, 0.02, 11)).share == 0);
+    CHECK(section(noisy_arc(175, 0.2, 60)).share == 1);
+    CHECK((section(noisy_arc(175, 0.2, 60)).circle.center - centre).norm() < 0.5);
+    Slab with_others = noisy_arc(175, 0.02, 60);
+    for(int i = 0; i < 10; ++i) { // of another limb
+      with_others.across.emplace_back(centre.x() + random.uniform(2, 3), random.uniform(-1.5, -0.5));
+      with_others.along.push_back(random.uniform(-0.6, 0.6));
+    }
+    CHECK(section(with_others).share == 1);
+    CHECK((section(with_others).circle.center - centre).norm() < 0.5);
     Slab strip, line;
     for(int i = 0; i < 60; ++i) {
       line.across.emplace_back(i, 2 * i);
@@ -258,6 +267,25 @@ TEST_CASE("Points on half of a tube tell where its axis is, though the curve is 
   CHECK(section({}).share == 0);
   CHECK(section({std::vector<Eigen::Vector2d>(20, {1, 1}), std::vector<double>(20, 1)})
           .share == 0);
+}
+
+TEST_CASE("Of a round limb seen from one side the last points are missing")
+{
+  constexpr double half = CGAL_PI;
+  // Columns of points, as a scanner sees them, in any position.
+  for(const double spacing_across : {0.1, 0.2, 0.3}) {
+    double sum = 0;
+    constexpr int positions = 100;
+    for(int k = 0; k < positions; ++k) {
+      const double first = -1 + spacing_across * (k + 0.5) / positions;
+      const double last = first + spacing_across * std::floor((1 - first) / spacing_across);
+      sum += (std::asin(last) - std::asin(first)) / positions;
+    }
+    CHECK((half - sum) / (half - arc_seen_from_one_side(spacing_across, 1)) ==
+          Approx(1).margin(0.1));
+  }
+  CHECK(arc_seen_from_one_side(0.03, 0.1) == Approx(arc_seen_from_one_side(0.3, 1)));
+  CHECK(arc_seen_from_one_side(0, 1) < half); // nothing is seen along a surface
 }
 
 TEST_CASE("In a noisy tube the curve becomes straight and goes to the axis")
@@ -387,12 +415,12 @@ TEST_CASE("A tube of which one side is missing draws nothing to the other")
 namespace {
 
 // Adds dense points of one side of a straight tube, `seen` radians wide.
-void sample_side(Limb& limb, double length, double seen, shapes::Random& random)
+void sample_side(Limb& limb, double length, double seen, shapes::Random& random, int copies = 4)
 {
   Sampling sampling;
   sampling.from = -seen / 2;
   sampling.turn = seen;
-  for(int copies = 0; copies < 4; ++copies)
+  for(int k = 0; k < copies; ++k)
     sample_tube(limb, straight, length, sampling, random);
 }
 
@@ -416,7 +444,8 @@ TEST_CASE("An open limb of which hardly half was seen is centred on its points")
     CHECK(mean_distance(strip, from_z_axis) < 0.1);
     CHECK(strip.distances[strip.distances.size() / 2] == Approx(0.5).margin(0.15));
 
-    sample_side(arc, length, 2 * CGAL_PI / 3, random);
+    constexpr int copies = 16; // dense: the last points on either side are where the limb ends
+    sample_side(arc, length, 2 * CGAL_PI / 3, random, copies);
     arc.centre();
     // Not on the axis of the tube, where nothing was seen.
     CHECK(mean_distance(arc, [](const Vector3& p) { return (p - Vector3(0.85, 0, p.z())).norm(); }) <
@@ -459,6 +488,30 @@ TEST_CASE("The curve along half of an open limb does not wave between its points
     limb.centre();
     CHECK(crookedness(limb) < 1.002);
   }
+}
+
+TEST_CASE("Where half of an open limb was hardly seen the curve goes on along its axis")
+{
+  constexpr double length = 20, stretch = 1.5, half = CGAL_PI, less = CGAL_PI / 2;
+  for(const bool is_on_line : {false, true})
+    for(const unsigned int seed : seeds) {
+      CAPTURE(is_on_line, seed);
+      shapes::Random random(seed);
+      Limb limb = curve(straight, length, false, [](double) { return Vector3(0.6, 0, 0); });
+      for(auto& vertex : limb.graph.vertices) {
+        vertex.open = 1;
+        vertex.is_on_line = is_on_line;
+      }
+      for(int i = 0; i < static_cast<int>(20 * length / (spacing * spacing)); ++i) {
+        const double z = random.uniform(0, length);
+        const bool is_seen_less = std::fmod(z, 3 * stretch) < stretch;
+        const double seen = is_seen_less ? less : half, angle = random.uniform(-seen, seen) / 2;
+        add(limb, Vector3(std::cos(angle), std::sin(angle), z));
+      }
+      limb.centre();
+      CHECK(mean_distance(limb, from_z_axis) < 0.25);
+      CHECK(crookedness(limb) < 1.06);
+    }
 }
 
 TEST_CASE("Points beyond the centre of a bend do not turn the curve inside out")
@@ -551,13 +604,15 @@ TEST_CASE("Where nothing is known a curve stays")
   CHECK(none.graph.vertices.empty());
 }
 
-TEST_CASE("Points of lines stay, though there is a tube around them")
+TEST_CASE("Points of lines stay, though there are scattered points around them")
 {
   constexpr double length = 10;
   shapes::Random random(1);
   Limb limb = curve(straight, length, false,
                     [](double s) { return Vector3(0.5 * std::sin(3 * s), 0, 0); });
-  sample_tube(limb, straight, length, {}, random);
+  Sampling leaves;
+  leaves.noise = 0.5;
+  sample_tube(limb, straight, length, leaves, random);
   const std::size_t first = limb.graph.vertices.size() / 2;
   std::vector<Vector3> before;
   for(std::size_t v = 0; v < limb.graph.vertices.size(); ++v) {

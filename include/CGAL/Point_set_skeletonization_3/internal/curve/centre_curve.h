@@ -41,8 +41,10 @@ namespace internal {
 /// Then the target is the L1-median of the points of the cross-section, so that the curve stays on
 /// them, and the radius is their median distance from it. In between, the target is between both:
 /// it would jump from one to the other, and the curve would wave. If the points are on a circle,
-/// along half of a trunk, its centre is the target, in a limb that is not resolved, too. Medians
-/// that would fold the curve are ignored.
+/// along half of a trunk, its centre is the target, in a limb that is not resolved, too. A limb is
+/// round or not along some length, so where one cross-section does not tell, those around it do:
+/// the curve would go from the axis to the points and back. Medians that would fold the curve are
+/// ignored.
 /// The positions x minimise the squared distances to the targets plus a bending energy,
 ///
 ///     sum w |x - c|^2 + sum (l / h)^4 |second difference of x|^2
@@ -86,7 +88,8 @@ public:
     for(int round = 0; round < rounds; ++round) {
       std::vector<std::size_t> moved; // since their targets were computed
       for(std::size_t v = 0; v < drawn_.size(); ++v) {
-        const bool is_fixed = round > 0 && graph_.vertices[v].is_on_line && drawn_[v].spread == 0;
+        const bool is_fixed = round > 0 && graph_.vertices[v].is_on_line &&
+                              drawn_[v].target == start_[v].position;
         if(!is_fixed &&
            (graph_.vertices[v].position - drawn_[v].from).norm() >= stays * drawn_[v].radius)
           moved.push_back(v);
@@ -94,6 +97,7 @@ public:
       parallel_for(concurrency_, moved.size(),
                    [&](std::size_t k) { drawn_[moved[k]] = drawn(moved[k]); });
       keep_inside(moved);
+      draw_axes_on();
       keep_in_order();
       move();
     }
@@ -104,18 +108,22 @@ public:
   }
 
 private:
-  /// The target of a vertex.
+  /// What draws a vertex.
   struct Drawn
   {
-    /// Of the vertex, when the target was computed; nowhere at first.
+    /// Position of the vertex when this was computed; nowhere at first.
     Vector3 from = Vector3::Constant(std::numeric_limits<double>::infinity());
-    Vector3 target = Vector3::Zero();
+    Vector3 middle = Vector3::Zero(); ///< Of its cross-section.
     double weight = 0;
     double radius = 0;        ///< Of the limb there, at least the distance of points.
     bool is_centroid = false; ///< Of an area, which contains it.
     bool is_median = false;   ///< Of points, or in part: they may be those of another limb.
     double spread = 0; ///< Median distance of the points from an L1-median or the centre of a
                        ///< circle; 0 elsewhere.
+    double point_radius = 0; ///< Of an open limb, by its points; if 0 the next two are unknown.
+    Vector3 median = Vector3::Zero(); ///< L1-median of the points.
+    double axis_share = 0;            ///< How much of the middle is the axis of the limb, not this.
+    Vector3 target = Vector3::Zero(); ///< The middle, less what sections around know better.
   };
 
   /// Radii; a vertex that has moved less keeps its target: a target moves by at most a tenth of the
@@ -164,7 +172,7 @@ private:
     const auto in_space = [&](const Eigen::Vector2d& p) -> Vector3 {
       return vertex.position + p.x() * e1 + p.y() * e2;
     };
-    const Slab slab = cut(v, piece, e1, e2, radius);
+    const Slab slab = slab_at(v, piece, e1, e2, radius);
     const std::vector<Eigen::Vector2d>& points = slab.across;
     const Cross_section section = cross_section(points);
     // With a gap of 180 degrees the centroid is inaccurate, but better than none; it is not used
@@ -179,25 +187,30 @@ private:
     if(points.empty() || !is_open(vertex))
       return not_drawn(v, radius);
     const Round_section round = round_section(slab, options_.aligned);
-    if(vertex.is_on_line && round.share == 0)
-      return not_drawn(v, radius);
     const Eigen::Vector2d median =
       l1_median(points, (std::max)(0.1 * vertex.resolution, least_spacing));
-    const Eigen::Vector2d middle =
-      median + round.share * (round.circle.center - median);
+    const Eigen::Vector2d middle = median + round.share * (round.circle.center - median);
     std::vector<double> distances;
     for(const Eigen::Vector2d& p : points)
       distances.push_back((p - middle).norm());
     const double spread = quantile(std::move(distances), 0.5);
     const double point_radius = (std::max)(vertex.resolution, spread);
-    if(share == 0 || round.share > 0)
-      return {vertex.position, in_space(middle), 1,     point_radius,
-              false,           round.share == 0, spread};
     const auto mean = [share](const auto& of_points, const auto& of_area) {
       return (1 - share) * of_points + share * of_area;
     };
-    return {vertex.position, in_space(mean(median, section.center)), mean(1., weight),
-            mean(point_radius, area_radius), false, true};
+    Drawn result;
+    if(vertex.is_on_line && round.share == 0)
+      result = not_drawn(v, radius);
+    else if(share == 0 || round.share > 0)
+      result = {vertex.position, in_space(middle), 1,     point_radius,
+                false,           round.share == 0, spread};
+    else
+      result = {vertex.position, in_space(mean(median, section.center)), mean(1., weight),
+                mean(point_radius, area_radius), false, true};
+    result.point_radius = point_radius;
+    result.median = in_space(median);
+    result.axis_share = vertex.is_on_line || round.share > 0 ? round.share : share;
+    return result;
   }
 
   /// How much the area of a cross-section counts beside its points, in [0, 1]. In an open limb not
@@ -221,11 +234,41 @@ private:
                    vertices.end());
     std::vector<Vector3> targets;
     for(std::size_t v : vertices)
-      targets.push_back(drawn_[v].target);
+      targets.push_back(drawn_[v].middle);
     const std::vector<bool> is_inside = inside_(targets);
     for(std::size_t k = 0; k < vertices.size(); ++k)
       if(!is_inside[k])
         drawn_[vertices[k]] = not_drawn(vertices[k], first_radius(vertices[k]));
+  }
+
+  /// Sets the targets. Where a cross-section does not tell the axis of an open limb, the target is as
+  /// far off the L1-median of its points as the axis is beside it, within two radii along the limb.
+  void draw_axes_on()
+  {
+    constexpr double reach = 2; // radii
+    for(std::size_t v = 0; v < drawn_.size(); ++v) {
+      Drawn& drawn = drawn_[v];
+      drawn.target = drawn.middle;
+      if(drawn.point_radius == 0)
+        continue;
+      double number = 0, known = 0, radius = 0;
+      Vector3 offset = Vector3::Zero();
+      for(std::size_t to : adjacency_[v])
+        visit_along(v, to, reach * drawn.point_radius, [&](std::size_t w) {
+          const Drawn& other = drawn_[w];
+          if(other.point_radius == 0)
+            return;
+          ++number;
+          known += other.axis_share;
+          radius += other.axis_share * other.point_radius;
+          offset += other.axis_share > 0 ? Vector3(other.middle - other.median) : Vector3::Zero();
+        });
+      if(!(known > 0))
+        continue;
+      const double unknown_share = 1 - drawn.axis_share, share = unknown_share * known / number;
+      drawn.target += share * (drawn.median + offset / known - drawn.middle);
+      drawn.radius = (std::max)(drawn.radius, share * radius / known);
+    }
   }
 
   /// Ignores medians of points that would fold or stretch a piece of a curve, a radius long:
@@ -249,8 +292,10 @@ private:
       }
     }
     for(std::size_t v = 0; v < is_torn.size(); ++v)
-      if(is_torn[v] && drawn_[v].is_median)
+      if(is_torn[v] && drawn_[v].is_median) {
         drawn_[v] = not_drawn(v, drawn_[v].radius);
+        drawn_[v].target = drawn_[v].middle;
+      }
   }
 
   /// A piece of a branch, approximated by a parabola.
@@ -279,14 +324,28 @@ private:
     return result;
   }
 
-  /// The surface points near the plane at a vertex spanned by `e1` and `e2`, moved across as far as
-  /// the branch bends.
-  Slab cut(std::size_t v, const Piece& piece, const Vector3& e1, const Vector3& e2,
-           double radius) const
+  /// The surface points near the plane at a vertex, see `cut()`: a slab wide enough for a dozen
+  /// points around a thin limb, narrow enough for varying thickness. In an open limb it is up to
+  /// about twice as wide if there are fewer points than show whether it is round.
+  Slab slab_at(std::size_t v, const Piece& piece, const Vector3& e1, const Vector3& e2,
+               double radius) const
   {
-    // Wide enough for a dozen points around a thin limb, narrow enough for varying thickness.
-    const double half_width =
-      (std::max)(graph_.vertices[v].resolution, options_.step * radius);
+    constexpr double wider = 1.5;
+    double half_width = (std::max)(graph_.vertices[v].resolution, options_.step * radius);
+    Slab result = cut(v, piece, e1, e2, radius, half_width);
+    if(is_open(graph_.vertices[v]))
+      for(int k = 0; k < 2 && result.across.size() < fewest_on_circle; ++k) {
+        half_width *= wider;
+        result = cut(v, piece, e1, e2, radius, half_width);
+      }
+    return result;
+  }
+
+  /// The surface points closer than `half_width` to the plane at a vertex spanned by `e1` and `e2`,
+  /// moved across as far as the branch bends.
+  Slab cut(std::size_t v, const Piece& piece, const Vector3& e1, const Vector3& e2, double radius,
+           double half_width) const
+  {
     // Points of the cross-section may belong to vertices further along the limb, not to other
     // limbs: within two radii, or, since a plane may cut a wide limb at an angle of up to 30 degrees
     // to a cross-section, half as far along the curve as they are away from the vertex.
@@ -337,19 +396,29 @@ private:
     }
   }
 
-  /// The first vertex at least `reach` away from `v` through its neighbour `to`, or the end of the
-  /// branch.
-  std::size_t along(std::size_t v, std::size_t to, double reach) const
+  /// Calls `visit(w)` for the vertices from `v` through its neighbour `to` up to the first one at
+  /// least `reach` away, or to the end of the branch.
+  template <typename Visit>
+  void visit_along(std::size_t v, std::size_t to, double reach, const Visit& visit) const
   {
     std::size_t from = v;
     double way = distance(from, to);
+    visit(to);
     while(way < reach && adjacency_[to].size() == 2 && to != v) {
       const std::size_t next = adjacency_[to][0] == from ? adjacency_[to][1] : adjacency_[to][0];
       from = to;
       to = next;
       way += distance(from, to);
+      visit(to);
     }
-    return to;
+  }
+
+  /// The last of these vertices.
+  std::size_t along(std::size_t v, std::size_t to, double reach) const
+  {
+    std::size_t result = to;
+    visit_along(v, to, reach, [&](std::size_t w) { result = w; });
+    return result;
   }
 
   double distance(std::size_t v, std::size_t w) const

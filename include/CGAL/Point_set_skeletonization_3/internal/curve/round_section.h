@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -90,7 +91,78 @@ inline Eigen::Vector2d fitted_slope(const Slab& points)
   return solver.solve(right).head<2>();
 }
 
-/// A round cross-section of a limb that was seen from one side.
+/// A circle across the cylinder that the points of a slab are on. They move along the axis into the
+/// plane of the curve, where a circle across the axis is longer along the slope: shortened by that,
+/// they are on a circle.
+struct Fitted_cylinder
+{
+  double cosine = 1; ///< Of the angle between the axis and the curve.
+  Eigen::Matrix2d shorten = Eigen::Matrix2d::Identity();
+  std::vector<Eigen::Vector2d> straight; ///< The points, shortened.
+  Circle circle;                         ///< Among them.
+
+  /// How far a point is off the circle, in its radii.
+  double off(std::size_t i) const
+  {
+    return std::abs((straight[i] - circle.center).norm() - circle.radius) / circle.radius;
+  }
+
+  /// The root mean square of that.
+  double off() const
+  {
+    double squares = 0;
+    for(std::size_t i = 0; i < straight.size(); ++i)
+      squares += off(i) * off(i) / static_cast<double>(straight.size());
+    return std::sqrt(squares);
+  }
+};
+
+/// Fits a cylinder to the points of a slab. O(n).
+inline Fitted_cylinder fitted_cylinder(const Slab& points)
+{
+  Fitted_cylinder result;
+  const Eigen::Vector2d slope = fitted_slope(points);
+  result.cosine = 1 / std::sqrt(1 + slope.squaredNorm());
+  const double shortened = // 1 - cosine, per square of the slope
+    result.cosine * result.cosine / (1 + result.cosine);
+  result.shorten -= shortened * slope * slope.transpose();
+  for(std::size_t i = 0; i < points.across.size(); ++i)
+    result.straight.emplace_back(result.shorten * (points.across[i] - points.along[i] * slope));
+  result.circle = fitted_circle(result.straight);
+  return result;
+}
+
+/// Returns the four fifths of the points of a slab that are nearest to the circle of a cylinder
+/// fitted to them. O(n log n).
+inline Slab without_furthest(const Slab& points, const Fitted_cylinder& cylinder)
+{
+  std::vector<std::pair<double, std::size_t>> nearest;
+  for(std::size_t i = 0; i < points.across.size(); ++i)
+    nearest.emplace_back(cylinder.off(i), i);
+  std::sort(nearest.begin(), nearest.end());
+  nearest.resize(4 * nearest.size() / 5);
+  Slab result;
+  for(const auto& [off, i] : nearest) {
+    result.across.push_back(points.across[i]);
+    result.along.push_back(points.along[i]);
+  }
+  return result;
+}
+
+/// Returns how much of a round limb, in radians, a scanner sees from one side: half of it, but for
+/// the last step between points at either end, where it sees the limb at a grazing angle. Of points
+/// a share s of the radius apart, the last one is anywhere within s of the edge of what is seen, or
+/// two thirds of sqrt(2 s) on average along the arc; and at less than 15 degrees nothing is seen.
+inline double arc_seen_from_one_side(double spacing, double radius)
+{
+  constexpr double most_seen = 5 * CGAL_PI / 6;
+  return (std::min)(most_seen, CGAL_PI - 4. / 3 * std::sqrt(2 * spacing / radius));
+}
+
+/// Points from which a round section is told: fewer are near some circle by chance.
+constexpr std::size_t fewest_on_circle = 12;
+
+/// A round cross-section of a limb.
 struct Round_section
 {
   Circle circle;    ///< Around the axis of the limb, where that meets the plane of the curve.
@@ -98,47 +170,44 @@ struct Round_section
 };
 
 /// Returns the circle across a cylinder that the points of a slab are on. A curve that is not
-/// centred yet is crooked, and a section across it is no circle. The circle counts wholly if 150
-/// degrees of it were seen or more: a scanner sees half of a round limb, less what it sees at a
-/// grazing angle. Not at all if less than 120 degrees were seen, since leaves are folded as much,
-/// or more than 240: that is not one side. Nor if the points are off it by more than a twentieth of
-/// its radius, as scattered ones are, if there are less than a dozen, or if the cosine of the angle
-/// between the cylinder and the curve is less than `aligned`. O(n log n).
-inline Round_section round_section(const Slab& points, double aligned)
+/// centred yet is crooked, and a section across it is no circle. The circle counts wholly if as
+/// much of it was seen as from one side, see `arc_seen_from_one_side()`. Not at all if it was 30
+/// degrees less, since leaves are folded as much. Nor if the points are off it by more than a seventh
+/// of its radius, which scattered ones are, also without up to half of them, which may be of
+/// something else (least trimmed squares, Rousseeuw 1984); if there are too few; or if the cosine
+/// of the angle between the cylinder and the curve is less than `aligned`. O(n log n).
+inline Round_section round_section(Slab points, double aligned)
 {
-  constexpr std::size_t fewest = 12;
-  constexpr double most_off = 0.05; // radii, root mean square
-  constexpr double least_seen = 2 * CGAL_PI / 3, half_seen = 5 * CGAL_PI / 6,
-                   most_seen = 4 * CGAL_PI / 3;
+  constexpr int trimmings = 3;           // which leave half of the points
+  constexpr double off_of_nearest = 0.7; // of what is off by chance, four fifths are as much less
+  constexpr double folded = CGAL_PI / 6;
+  double most_off = 0.15; // radii; points scattered over a disc are 0.34 off
   Round_section result;
-  if(points.across.size() < fewest)
+  if(points.across.size() < fewest_on_circle)
     return result;
-  const Eigen::Vector2d slope = fitted_slope(points);
-  const double cosine = 1 / std::sqrt(1 + slope.squaredNorm());
-  if(cosine < aligned)
-    return result;
-  // Points move along the axis into the plane of the curve. In this, a circle across the axis is
-  // longer along the slope.
-  const double shortened = cosine * cosine / (1 + cosine); // 1 - cosine, per square of the slope
-  const Eigen::Matrix2d shorten =
-    Eigen::Matrix2d::Identity() - shortened * slope * slope.transpose();
-  std::vector<Eigen::Vector2d> straight;
-  for(std::size_t i = 0; i < points.across.size(); ++i)
-    straight.emplace_back(shorten * (points.across[i] - points.along[i] * slope));
-  result.circle = fitted_circle(straight);
-  std::vector<Eigen::Vector2d> around;
-  double off = 0;
-  for(const Eigen::Vector2d& p : straight) {
-    around.push_back(p - result.circle.center);
-    const double distance = around.back().norm() - result.circle.radius;
-    off += distance * distance / static_cast<double>(straight.size());
+  Fitted_cylinder cylinder = fitted_cylinder(points);
+  for(int k = 0; k < trimmings && cylinder.cosine >= aligned && cylinder.off() >= most_off; ++k) {
+    points = without_furthest(points, cylinder);
+    most_off *= off_of_nearest;
+    cylinder = fitted_cylinder(points);
   }
-  result.circle.center = shorten.inverse() * result.circle.center;
-  if(std::sqrt(off) >= most_off * result.circle.radius)
+  const std::size_t size = points.across.size();
+  if(size < fewest_on_circle || cylinder.cosine < aligned || !(cylinder.off() < most_off))
     return result;
-  const double seen = 2 * CGAL_PI - cross_section(around).unknown - between_points; // one gap
-  if(seen <= most_seen)
-    result.share = std::clamp((seen - least_seen) / (half_seen - least_seen), 0.0, 1.0);
+  const Circle& circle = cylinder.circle;
+  std::vector<Eigen::Vector2d> around;
+  for(const Eigen::Vector2d& p : cylinder.straight)
+    around.push_back(p - circle.center);
+  const double seen = // there is one gap
+    (std::max)(0.0, 2 * CGAL_PI - cross_section(around).unknown - between_points);
+  double reach = 0;
+  for(double z : points.along)
+    reach = (std::max)(reach, std::abs(z));
+  const double spacing =
+    std::sqrt(2 * reach * seen * circle.radius / static_cast<double>(size));
+  const double missing = arc_seen_from_one_side(spacing, circle.radius) - seen;
+  result.circle = {cylinder.shorten.inverse() * circle.center, circle.radius};
+  result.share = std::clamp(1 - missing / folded, 0.0, 1.0);
   return result;
 }
 
