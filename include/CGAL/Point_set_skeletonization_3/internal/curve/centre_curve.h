@@ -122,7 +122,8 @@ private:
                        ///< circle; 0 elsewhere.
     double point_radius = 0; ///< Of an open limb, by its points; if 0 the next two are unknown.
     Vector3 median = Vector3::Zero(); ///< L1-median of the points.
-    double axis_share = 0;            ///< How much of the middle is the axis of the limb, not this.
+    double axis_share = 0;    ///< How much of the middle is the axis of the limb, not this.
+    double unknown_share = 0; ///< How much of the axis, in [0, 1], others around may know better.
     Vector3 target = Vector3::Zero(); ///< The middle, less what sections around know better.
   };
 
@@ -210,6 +211,9 @@ private:
     result.point_radius = point_radius;
     result.median = in_space(median);
     result.axis_share = vertex.is_on_line || round.share > 0 ? round.share : share;
+    // Points on all sides tell what is in the middle of them.
+    result.unknown_share =
+      (1 - result.axis_share) * (std::min)(1.0, section.unknown / between_points);
     return result;
   }
 
@@ -265,7 +269,7 @@ private:
         });
       if(!(known > 0))
         continue;
-      const double unknown_share = 1 - drawn.axis_share, share = unknown_share * known / number;
+      const double share = drawn.unknown_share * known / number;
       drawn.target += share * (drawn.median + offset / known - drawn.middle);
       drawn.radius = (std::max)(drawn.radius, share * radius / known);
     }
