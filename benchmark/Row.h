@@ -26,6 +26,7 @@ struct Row : Measurements
   std::size_t seen_ends = 0;         ///< true ends that have points near them
   double found = not_measured;       ///< share of the true skeleton that has points near it
   double true_share = not_measured;  ///< of our skeleton
+  double centred = not_measured;     ///< share of our skeleton near the true axis
   double unsupported = not_measured; ///< share of our skeleton in empty space
   double radius = not_measured;      ///< factor by which radii are wrong, at least 1
   double axis_mean = not_measured, axis_maximum = not_measured; ///< local radii

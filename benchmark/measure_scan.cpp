@@ -4,6 +4,7 @@
 #include "measure_scan.h"
 
 #include "Point_tree.h"
+#include "axis_distance.h"
 #include "methods/average_spacing.h"
 #include "radius_factor.h"
 #include "share_within.h"
@@ -31,7 +32,7 @@ double radius_at(const metrics::Point& p, const Skeleton& skeleton)
 } // namespace
 
 void measure_scan(Row& row, const Skeleton& skeleton, const Skeleton& reference,
-                  const std::vector<shapes::Axis_segment>& axis, const std::vector<Point>& points)
+                  const shapes::Known_shape& shape, const std::vector<Point>& points)
 {
   constexpr double tolerance = 0.015; // diagonals
   constexpr double samples = 3;       // in the tolerance
@@ -51,5 +52,7 @@ void measure_scan(Row& row, const Skeleton& skeleton, const Skeleton& reference,
   row.found = metrics::share_within(near, reference, skeleton, is_seen, step);
   row.true_share = metrics::share_within(near, skeleton, reference, always, step);
   row.unsupported = metrics::unsupported_share(skeleton, tree, support * average_spacing(points));
-  row.radius = metrics::radius_factor(skeleton, axis, near);
+  row.radius = metrics::radius_factor(skeleton, shape.axis, near);
+  if(!shape.axis.empty())
+    row.centred = metrics::axis_distance(skeleton, shape.axis, shape.junctions).centred;
 }

@@ -13,8 +13,8 @@
 
 /// Fills in how much of the true skeleton of a scan was found, and how much of what was found is
 /// true. Of a reference with radii, a place is seen if there are points at its radius. Where it is
-/// true, its radii are compared with those of the axis, if that is known.
+/// true, its radii are compared with those of the axis of the shape, if that is known.
 void measure_scan(Row& row, const Skeleton& skeleton, const Skeleton& reference,
-                  const std::vector<shapes::Axis_segment>& axis, const std::vector<Point>& points);
+                  const shapes::Known_shape& shape, const std::vector<Point>& points);
 
 #endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_MEASURE_SCAN_H

@@ -35,15 +35,15 @@ const std::vector<Variant> all_variants = {
 
 /// Rows of a cloud, by every method. \param row what is known about the cloud, and the truth
 std::vector<Row> rows_of(Row row, const Skeleton& reference,
-                         const std::vector<shapes::Axis_segment>& axis,
-                         const std::vector<Point>& points, const Quality_options& options)
+                         const shapes::Known_shape& shape, const std::vector<Point>& points,
+                         const Quality_options& options)
 {
   std::vector<Outcome> outcomes = skeletonize(points, options);
   outcomes.push_back(baseline(points));
   std::vector<Row> rows;
   for(const Outcome& outcome : outcomes) {
     measure(row, outcome, points);
-    measure_scan(row, outcome.skeleton, reference, axis, points);
+    measure_scan(row, outcome.skeleton, reference, shape, points);
     write_miss(options.misses, row, outcome.skeleton, points);
     rows.push_back(row);
   }
@@ -62,8 +62,8 @@ std::vector<Row> rows_of(const Job& job, const Quality_options& options)
     row.places = std::to_string(job.places);
     row.truth.components = scene.shape.components;
     row.truth.cycles = scene.shape.cycles;
-    return rows_of(row, scene.reference, scene.shape.axis,
-                   to_points(points_of(job, scene.shape)), options);
+    return rows_of(row, scene.reference, scene.shape, to_points(points_of(job, scene.shape)),
+                   options);
   } catch(const std::exception& error) {
     return {failed_row(job.shape, error)};
   }
@@ -83,7 +83,7 @@ std::vector<Row> rows_of(const std::string& argument, const Quality_options& opt
     const Graph_counts truth = count_graph(reference);
     row.truth.components = truth.components;
     row.truth.cycles = truth.cycles;
-    const std::vector<shapes::Axis_segment> unknown;
+    const shapes::Known_shape unknown;
     return rows_of(row, reference, unknown, read_points<Point>(cloud), options);
   } catch(const std::exception& error) {
     return {failed_row(cloud, error)};
@@ -106,6 +106,7 @@ Layout layout()
            truth("cycles_true", &Truth::cycles),
            number("found", &Row::found, 3),
            number("true", &Row::true_share, 3),
+           number("centred", &Row::centred, 3),
            count("ends", &Graph_counts::ends),
            {"ends_true", 4, seen_ends},
            number("unsupported", &Row::unsupported, 3),
@@ -115,6 +116,7 @@ Layout layout()
           {group_name(), group_method(), group_size(), share("exact%", &Row::exact),
            share("comp%", &Row::components_exact), share("cycles%", &Row::cycles_exact),
            mean("found", &Row::found, 3), mean("true", &Row::true_share, 3),
+           mean("centred", &Row::centred, 3),
            mean("unsupported", &Row::unsupported, 3), mean("radius", &Row::radius, 2),
            mean("seconds", &Row::seconds, 2)},
           {[](const Row& row) { return row.shape; }, [](const Row& row) { return row.size; },

@@ -23,12 +23,16 @@ struct Axis_distance
 {
   double mean;    ///< over the length of the skeleton
   double maximum; ///< over the samples
+  double centred; ///< share of the length that is within half a radius
 };
 
 namespace internal {
 
 /// Radii around a true junction within which the axis is a matter of taste.
 constexpr double junction_reach = 1.5;
+
+/// Radii; what is no further off is nearer to the axis than to the surface.
+constexpr double centred_within = 0.5;
 
 /// Samples in the smallest radius of the shape.
 constexpr double samples_per_radius = 4;
@@ -103,7 +107,7 @@ Axis_distance axis_distance(const Skeleton& skeleton, const Axis& axis, const Ju
     least_radius = std::min({least_radius, piece.radius_source, piece.radius_target});
   }
   const Segment_tree tree(segments);
-  Mean_and_maximum distances;
+  Mean_and_maximum distances, centred;
   for(const Skeleton_sample& sample :
       sample_skeleton(skeleton, least_radius / internal::samples_per_radius)) {
     if(internal::is_at_junction(sample.point, junctions))
@@ -112,8 +116,9 @@ Axis_distance axis_distance(const Skeleton& skeleton, const Axis& axis, const Ju
     const internal::Axis_piece& piece = pieces[nearest.segment];
     const double radius = nearest.interpolate(piece.radius_source, piece.radius_target);
     distances.add(nearest.distance / radius, sample.length);
+    centred.add(nearest.distance <= internal::centred_within * radius ? 1 : 0, sample.length);
   }
-  return {distances.mean(), distances.maximum()};
+  return {distances.mean(), distances.maximum(), centred.mean()};
 }
 
 } // namespace metrics

@@ -172,6 +172,14 @@ TEST_CASE("A line beside the axis is off by its offset in radii, whatever the un
   const auto distance = metrics::axis_distance(skeleton, axis, no_junctions);
   CHECK(distance.mean == Approx(0.3));
   CHECK(distance.maximum == Approx(0.3));
+  CHECK(distance.centred == 1);
+}
+
+TEST_CASE("What is further than half a radius off the axis is not centred")
+{
+  const Skeleton skeleton = path({Point(0, 0.06, 0), Point(0.5, 0.06, 0), Point(0.5, 0, 0.04),
+                                  Point(1, 0, 0.04)});
+  CHECK(metrics::axis_distance(skeleton, tube, no_junctions).centred == Approx(0.5).margin(0.03));
 }
 
 TEST_CASE("The distance to the axis is relative to the radius at the place")
