@@ -11,6 +11,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/bridge_gaps.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/centre_curve.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/continue_limbs.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/doubled_tips.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/extend_open_tips.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/join_fragments.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
@@ -98,6 +99,7 @@ public:
     extend(centre_vertices());
     centre_vertices();
     measure_radii();
+    graph_ = without(graph_, doubled_tips(graph_));
     const std::vector<std::vector<Vector3>> points = points_of_vertices();
     std::vector<std::vector<Vector3>> shown = components_of_vertices();
     for(std::size_t v = 0; v < points.size(); ++v)
