@@ -185,7 +185,7 @@ private:
     const double area_radius = (std::max)(radius, std::sqrt(section.area / CGAL_PI));
     if(share == 1 && !vertex.is_on_line)
       return {vertex.position, in_space(section.center), weight, area_radius, true};
-    if(points.empty() || !is_open(vertex))
+    if(points.size() < (vertex.is_on_line ? fewest_on_circle : 1) || !is_open(vertex))
       return not_drawn(v, radius);
     const Round_section round = round_section(slab, options_.aligned);
     const Eigen::Vector2d median =
@@ -329,19 +329,16 @@ private:
   }
 
   /// The surface points near the plane at a vertex, see `cut()`: a slab wide enough for a dozen
-  /// points around a thin limb, narrow enough for varying thickness. In an open limb it is up to
-  /// about twice as wide if there are fewer points than show whether it is round.
+  /// points around a thin limb, narrow enough for varying thickness. In an open limb it is twice as
+  /// wide if it takes that to have as many points as show whether the limb is round.
   Slab slab_at(std::size_t v, const Piece& piece, const Vector3& e1, const Vector3& e2,
                double radius) const
   {
-    constexpr double wider = 1.5;
-    double half_width = (std::max)(graph_.vertices[v].resolution, options_.step * radius);
+    const double half_width = (std::max)(graph_.vertices[v].resolution, options_.step * radius);
     Slab result = cut(v, piece, e1, e2, radius, half_width);
-    if(is_open(graph_.vertices[v]))
-      for(int k = 0; k < 2 && result.across.size() < fewest_on_circle; ++k) {
-        half_width *= wider;
-        result = cut(v, piece, e1, e2, radius, half_width);
-      }
+    const std::size_t number = result.across.size();
+    if(is_open(graph_.vertices[v]) && number < fewest_on_circle && 2 * number >= fewest_on_circle)
+      result = cut(v, piece, e1, e2, radius, 2 * half_width);
     return result;
   }
 

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -100,21 +101,8 @@ struct Fitted_cylinder
   Eigen::Matrix2d shorten = Eigen::Matrix2d::Identity();
   std::vector<Eigen::Vector2d> straight; ///< The points, shortened.
   Circle circle;                         ///< Among them.
-
-  /// How far a point is off the circle, in its radii.
-  double off(std::size_t i) const
-  {
-    return std::abs((straight[i] - circle.center).norm() - circle.radius) / circle.radius;
-  }
-
-  /// The root mean square of that.
-  double off() const
-  {
-    double squares = 0;
-    for(std::size_t i = 0; i < straight.size(); ++i)
-      squares += off(i) * off(i) / static_cast<double>(straight.size());
-    return std::sqrt(squares);
-  }
+  std::vector<double> off;               ///< How far each is off the circle, in its radii.
+  double mean_off = 0;                   ///< The root mean square of that.
 };
 
 /// Fits a cylinder to the points of a slab. O(n).
@@ -126,9 +114,18 @@ inline Fitted_cylinder fitted_cylinder(const Slab& points)
   const double shortened = // 1 - cosine, per square of the slope
     result.cosine * result.cosine / (1 + result.cosine);
   result.shorten -= shortened * slope * slope.transpose();
-  for(std::size_t i = 0; i < points.across.size(); ++i)
+  const std::size_t size = points.across.size();
+  result.straight.reserve(size);
+  for(std::size_t i = 0; i < size; ++i)
     result.straight.emplace_back(result.shorten * (points.across[i] - points.along[i] * slope));
-  result.circle = fitted_circle(result.straight);
+  const Circle& circle = result.circle = fitted_circle(result.straight);
+  double squares = 0;
+  result.off.reserve(size);
+  for(const Eigen::Vector2d& p : result.straight) {
+    result.off.push_back(std::abs((p - circle.center).norm() - circle.radius) / circle.radius);
+    squares += result.off.back() * result.off.back() / static_cast<double>(size);
+  }
+  result.mean_off = std::sqrt(squares);
   return result;
 }
 
@@ -136,13 +133,14 @@ inline Fitted_cylinder fitted_cylinder(const Slab& points)
 /// fitted to them. O(n log n).
 inline Slab without_furthest(const Slab& points, const Fitted_cylinder& cylinder)
 {
-  std::vector<std::pair<double, std::size_t>> nearest;
-  for(std::size_t i = 0; i < points.across.size(); ++i)
-    nearest.emplace_back(cylinder.off(i), i);
-  std::sort(nearest.begin(), nearest.end());
+  std::vector<std::size_t> nearest(points.across.size());
+  std::iota(nearest.begin(), nearest.end(), std::size_t(0));
+  std::sort(nearest.begin(), nearest.end(), [&](std::size_t i, std::size_t j) {
+    return std::make_pair(cylinder.off[i], i) < std::make_pair(cylinder.off[j], j);
+  });
   nearest.resize(4 * nearest.size() / 5);
   Slab result;
-  for(const auto& [off, i] : nearest) {
+  for(std::size_t i : nearest) {
     result.across.push_back(points.across[i]);
     result.along.push_back(points.along[i]);
   }
@@ -186,13 +184,13 @@ inline Round_section round_section(Slab points, double aligned)
   if(points.across.size() < fewest_on_circle)
     return result;
   Fitted_cylinder cylinder = fitted_cylinder(points);
-  for(int k = 0; k < trimmings && cylinder.cosine >= aligned && cylinder.off() >= most_off; ++k) {
+  for(int k = 0; k < trimmings && cylinder.cosine >= aligned && cylinder.mean_off >= most_off; ++k) {
     points = without_furthest(points, cylinder);
     most_off *= off_of_nearest;
     cylinder = fitted_cylinder(points);
   }
   const std::size_t size = points.across.size();
-  if(size < fewest_on_circle || cylinder.cosine < aligned || !(cylinder.off() < most_off))
+  if(size < fewest_on_circle || cylinder.cosine < aligned || !(cylinder.mean_off < most_off))
     return result;
   const Circle& circle = cylinder.circle;
   std::vector<Eigen::Vector2d> around;
