@@ -80,7 +80,7 @@ private:
   std::vector<bool> is_doubled_;
 };
 
-/// Part 3e: marks the vertices of a centred skeleton that end in the core of a limb along which
+/// Part 3d: marks the vertices of a centred skeleton that end in the core of a limb along which
 /// another curve runs. Of a limb whose sides were seen from different places, with gaps between
 /// them, each may have a curve. Centred, both are on its axis: one of them is enough. O(n log n),
 /// times the vertices within half a radius.

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -160,6 +161,28 @@ inline double arc_seen_from_one_side(double spacing, double radius)
 /// Points from which a round section is told: fewer are near some circle by chance.
 constexpr std::size_t fewest_on_circle = 12;
 
+/// Returns the cylinder that the points of a slab are on, which loses up to half of them if the rest
+/// is: those of something else (least trimmed squares, Rousseeuw 1984). Nothing if they are off it by
+/// more than a seventh of its radius, which scattered ones are, if there are too few, or if the
+/// cosine of the angle between the cylinder and the curve is less than `aligned`. O(n log n).
+inline std::optional<Fitted_cylinder> cylinder_of_most(Slab& points, double aligned)
+{
+  constexpr int trimmings = 3;           // which leave half of the points
+  constexpr double off_of_nearest = 0.7; // of what is off by chance, four fifths are as much less
+  constexpr double scattered = 0.3;      // radii; points scattered over a disc are 0.34 off
+  double most_off = 0.15;                // radii, at first
+  for(int k = 0; k <= trimmings && points.across.size() >= fewest_on_circle; ++k) {
+    Fitted_cylinder cylinder = fitted_cylinder(points);
+    if(cylinder.cosine < aligned || !(cylinder.mean_off < scattered))
+      break;
+    if(cylinder.mean_off < most_off)
+      return cylinder;
+    points = without_furthest(points, cylinder);
+    most_off *= off_of_nearest;
+  }
+  return std::nullopt;
+}
+
 /// A round cross-section of a limb.
 struct Round_section
 {
@@ -167,46 +190,30 @@ struct Round_section
   double share = 0; ///< How much it counts beside its points, in [0, 1].
 };
 
-/// Returns the circle across a cylinder that the points of a slab are on. A curve that is not
-/// centred yet is crooked, and a section across it is no circle. The circle counts wholly if as
-/// much of it was seen as from one side, see `arc_seen_from_one_side()`. Not at all if it was 30
-/// degrees less, since leaves are folded as much. Nor if the points are off it by more than a seventh
-/// of its radius, which scattered ones are, also without up to half of them, which may be of
-/// something else (least trimmed squares, Rousseeuw 1984); if there are too few; or if the cosine
-/// of the angle between the cylinder and the curve is less than `aligned`. O(n log n).
+/// Returns the circle across the cylinder that the points of a slab are on, see `cylinder_of_most()`.
+/// A curve that is not centred yet is crooked, and a section across it is no circle. The circle
+/// counts wholly if as much of it was seen as from one side, see `arc_seen_from_one_side()`; not at
+/// all if it was 30 degrees less, since leaves are folded as much. O(n log n).
 inline Round_section round_section(Slab points, double aligned)
 {
-  constexpr int trimmings = 3;           // which leave half of the points
-  constexpr double off_of_nearest = 0.7; // of what is off by chance, four fifths are as much less
   constexpr double folded = CGAL_PI / 6;
-  double most_off = 0.15; // radii; points scattered over a disc are 0.34 off
-  Round_section result;
-  if(points.across.size() < fewest_on_circle)
-    return result;
-  Fitted_cylinder cylinder = fitted_cylinder(points);
-  for(int k = 0; k < trimmings && cylinder.cosine >= aligned && cylinder.mean_off >= most_off; ++k) {
-    points = without_furthest(points, cylinder);
-    most_off *= off_of_nearest;
-    cylinder = fitted_cylinder(points);
-  }
-  const std::size_t size = points.across.size();
-  if(size < fewest_on_circle || cylinder.cosine < aligned || !(cylinder.mean_off < most_off))
-    return result;
-  const Circle& circle = cylinder.circle;
+  const std::optional<Fitted_cylinder> cylinder = cylinder_of_most(points, aligned);
+  if(!cylinder)
+    return {};
+  const Circle& circle = cylinder->circle;
   std::vector<Eigen::Vector2d> around;
-  for(const Eigen::Vector2d& p : cylinder.straight)
+  for(const Eigen::Vector2d& p : cylinder->straight)
     around.push_back(p - circle.center);
   const double seen = // there is one gap
     (std::max)(0.0, 2 * CGAL_PI - cross_section(around).unknown - between_points);
-  double reach = 0;
+  double half_width = 0;
   for(double z : points.along)
-    reach = (std::max)(reach, std::abs(z));
-  const double spacing =
-    std::sqrt(2 * reach * seen * circle.radius / static_cast<double>(size));
+    half_width = (std::max)(half_width, std::abs(z));
+  const double area = 2 * half_width * seen * circle.radius;
+  const double spacing = std::sqrt(area / static_cast<double>(around.size()));
   const double missing = arc_seen_from_one_side(spacing, circle.radius) - seen;
-  result.circle = {cylinder.shorten.inverse() * circle.center, circle.radius};
-  result.share = std::clamp(1 - missing / folded, 0.0, 1.0);
-  return result;
+  return {{cylinder->shorten.inverse() * circle.center, circle.radius},
+          std::clamp(1 - missing / folded, 0.0, 1.0)};
 }
 
 } // namespace internal
