@@ -249,7 +249,8 @@ TEST_CASE("Points on half of a tube tell where its axis is, though the curve is 
     CHECK((section(noisy_arc(175, 0.2, 60)).circle.center - centre).norm() < 0.5);
     Slab with_others = noisy_arc(175, 0.02, 60);
     for(int i = 0; i < 10; ++i) { // of another limb
-      with_others.across.emplace_back(centre.x() + random.uniform(2, 3), random.uniform(-1.5, -0.5));
+      const Eigen::Vector2d off(random.uniform(2, 3), random.uniform(-0.5, 0.5));
+      with_others.across.push_back(centre + off);
       with_others.along.push_back(random.uniform(-0.6, 0.6));
     }
     CHECK(section(with_others).share == 1);

@@ -18,8 +18,8 @@ namespace {
 
 constexpr double step = 0.3; // radii of a limb
 
-// Adds a curve from the vertex `from` in steps; returns its last vertex. `from` may be the number of
-// vertices: then the curve begins at `begin`.
+// Adds a curve from vertex `from`, or from a new one at `begin` if there are as many, in steps.
+// Returns its last vertex.
 std::size_t add_curve(Skeleton_graph& graph, std::size_t from, const Vector3& begin,
                       const Vector3& end, double radius = 1)
 {
@@ -43,7 +43,7 @@ std::vector<Vector3> doubled(const Skeleton_graph& graph)
   return result;
 }
 
-// Of a limb from (0, 0, 0) to (20, 0, 0) whose tip is at its end, its end as a vertex.
+// Adds a limb from (0, 0, 0) to (20, 0, 0); returns its last vertex.
 std::size_t add_limb(Skeleton_graph& graph)
 {
   return add_curve(graph, 0, Vector3(0, 0, 0), Vector3(20, 0, 0));

@@ -187,34 +187,50 @@ private:
       return {vertex.position, in_space(section.center), weight, area_radius, true};
     if(points.size() < (vertex.is_on_line ? fewest_on_circle : 1) || !is_open(vertex))
       return not_drawn(v, radius);
-    const Round_section round = round_section(slab, options_.aligned);
-    const Eigen::Vector2d median =
-      l1_median(points, (std::max)(0.1 * vertex.resolution, least_spacing));
-    const Eigen::Vector2d middle = median + round.share * (round.circle.center - median);
-    std::vector<double> distances;
-    for(const Eigen::Vector2d& p : points)
-      distances.push_back((p - middle).norm());
-    const double spread = quantile(std::move(distances), 0.5);
-    const double point_radius = (std::max)(vertex.resolution, spread);
+    const Points_across across = points_across(slab, vertex.resolution);
+    const bool is_round = across.round_share > 0;
+    const double point_radius = (std::max)(vertex.resolution, across.spread);
     const auto mean = [share](const auto& of_points, const auto& of_area) {
       return (1 - share) * of_points + share * of_area;
     };
     Drawn result;
-    if(vertex.is_on_line && round.share == 0)
+    if(vertex.is_on_line && !is_round)
       result = not_drawn(v, radius);
-    else if(share == 0 || round.share > 0)
-      result = {vertex.position, in_space(middle), 1,     point_radius,
-                false,           round.share == 0, spread};
+    else if(share == 0 || is_round)
+      result = {vertex.position, in_space(across.middle), 1, point_radius, false, !is_round,
+                across.spread};
     else
-      result = {vertex.position, in_space(mean(median, section.center)), mean(1., weight),
+      result = {vertex.position, in_space(mean(across.median, section.center)), mean(1., weight),
                 mean(point_radius, area_radius), false, true};
     result.point_radius = point_radius;
-    result.median = in_space(median);
-    result.axis_share = vertex.is_on_line || round.share > 0 ? round.share : share;
+    result.median = in_space(across.median);
+    result.axis_share = vertex.is_on_line || is_round ? across.round_share : share;
     // Points on all sides tell what is in the middle of them.
     result.unknown_share =
       (1 - result.axis_share) * (std::min)(1.0, section.unknown / between_points);
     return result;
+  }
+
+  /// What the points of a cross-section tell.
+  struct Points_across
+  {
+    Eigen::Vector2d median; ///< L1-median.
+    Eigen::Vector2d middle; ///< The same, or of a circle, as far as they are on one.
+    double round_share;     ///< How much this counts.
+    double spread;          ///< Their median distance from the middle.
+  };
+
+  /// \pre there are points
+  Points_across points_across(const Slab& slab, double resolution) const
+  {
+    const Round_section round = round_section(slab, options_.aligned);
+    const Eigen::Vector2d median =
+      l1_median(slab.across, (std::max)(0.1 * resolution, least_spacing));
+    const Eigen::Vector2d middle = median + round.share * (round.circle.center - median);
+    std::vector<double> distances;
+    for(const Eigen::Vector2d& p : slab.across)
+      distances.push_back((p - middle).norm());
+    return {median, middle, round.share, quantile(std::move(distances), 0.5)};
   }
 
   /// How much the area of a cross-section counts beside its points, in [0, 1]. In an open limb not
@@ -245,8 +261,8 @@ private:
         drawn_[vertices[k]] = not_drawn(vertices[k], first_radius(vertices[k]));
   }
 
-  /// Sets the targets. Where a cross-section does not tell the axis of an open limb, the target is as
-  /// far off the L1-median of its points as the axis is beside it, within two radii along the limb.
+  /// Sets the targets. Where a cross-section does not tell the axis of an open limb, the target is
+  /// as far off the L1-median of its points as the axis is beside it, within two radii.
   void draw_axes_on()
   {
     constexpr double reach = 2; // radii

@@ -161,10 +161,10 @@ inline double arc_seen_from_one_side(double spacing, double radius)
 /// Points from which a round section is told: fewer are near some circle by chance.
 constexpr std::size_t fewest_on_circle = 12;
 
-/// Returns the cylinder that the points of a slab are on, which loses up to half of them if the rest
-/// is: those of something else (least trimmed squares, Rousseeuw 1984). Nothing if they are off it by
-/// more than a seventh of its radius, which scattered ones are, if there are too few, or if the
-/// cosine of the angle between the cylinder and the curve is less than `aligned`. O(n log n).
+/// Returns the cylinder that the points of a slab are on, or those that remain in it: up to half
+/// may be of something else (least trimmed squares, Rousseeuw 1984). Nothing if they are off it by
+/// more than 15 % of its radius, as scattered ones are, if there are too few, or if the cosine of
+/// the angle between the cylinder and the curve is less than `aligned`. O(n log n).
 inline std::optional<Fitted_cylinder> cylinder_of_most(Slab& points, double aligned)
 {
   constexpr int trimmings = 3;           // which leave half of the points
@@ -190,10 +190,10 @@ struct Round_section
   double share = 0; ///< How much it counts beside its points, in [0, 1].
 };
 
-/// Returns the circle across the cylinder that the points of a slab are on, see `cylinder_of_most()`.
-/// A curve that is not centred yet is crooked, and a section across it is no circle. The circle
-/// counts wholly if as much of it was seen as from one side, see `arc_seen_from_one_side()`; not at
-/// all if it was 30 degrees less, since leaves are folded as much. O(n log n).
+/// Returns the circle across the cylinder that the points of a slab are on, `cylinder_of_most()`. A
+/// curve that is not centred yet is crooked, and a section across it is no circle. The circle counts
+/// wholly if as much of it was seen as from one side, see `arc_seen_from_one_side()`; not at all if
+/// it was 30 degrees less, since leaves are folded as much. O(n log n).
 inline Round_section round_section(Slab points, double aligned)
 {
   constexpr double folded = CGAL_PI / 6;
