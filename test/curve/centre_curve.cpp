@@ -415,6 +415,17 @@ TEST_CASE("A tube of which one side is missing draws nothing to the other")
 
 namespace {
 
+// A straight limb whose other side was not seen, with a curve beside its axis.
+Limb open_limb(double length, bool is_on_line)
+{
+  Limb limb = curve(straight, length, false, [](double) { return Vector3(0.6, 0, 0); });
+  for(auto& vertex : limb.graph.vertices) {
+    vertex.open = 1;
+    vertex.is_on_line = is_on_line;
+  }
+  return limb;
+}
+
 // Adds dense points of one side of a straight tube, `seen` radians wide.
 void sample_side(Limb& limb, double length, double seen, shapes::Random& random, int copies = 4)
 {
@@ -461,11 +472,7 @@ TEST_CASE("The curve along half of an open limb is on its axis, resolved or not"
     for(const unsigned int seed : seeds) {
       CAPTURE(is_on_line, seed);
       shapes::Random random(seed);
-      Limb limb = curve(straight, length, false, [](double) { return Vector3(0.6, 0, 0); });
-      for(auto& vertex : limb.graph.vertices) {
-        vertex.open = 1;
-        vertex.is_on_line = is_on_line;
-      }
+      Limb limb = open_limb(length, is_on_line);
       sample_side(limb, length, seen, random);
       limb.centre();
       CHECK(mean_distance(limb, from_z_axis) < 0.1);
@@ -498,11 +505,7 @@ TEST_CASE("Where half of an open limb was hardly seen the curve goes on along it
     for(const unsigned int seed : seeds) {
       CAPTURE(is_on_line, seed);
       shapes::Random random(seed);
-      Limb limb = curve(straight, length, false, [](double) { return Vector3(0.6, 0, 0); });
-      for(auto& vertex : limb.graph.vertices) {
-        vertex.open = 1;
-        vertex.is_on_line = is_on_line;
-      }
+      Limb limb = open_limb(length, is_on_line);
       for(int i = 0; i < static_cast<int>(20 * length / (spacing * spacing)); ++i) {
         const double z = random.uniform(0, length);
         const bool is_seen_less = std::fmod(z, 3 * stretch) < stretch;
