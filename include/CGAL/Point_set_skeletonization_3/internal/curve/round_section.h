@@ -103,10 +103,10 @@ struct Fitted_cylinder
   std::vector<Eigen::Vector2d> straight; ///< The points, shortened.
   Circle circle;                         ///< Among them.
   std::vector<double> off;               ///< How far each is off the circle, in its radii.
-  double mean_off = 0;                   ///< The root mean square of that.
+  double mean_off = 0; ///< The root mean square of that, per point that the fit leaves free.
 };
 
-/// Fits a cylinder to the points of a slab. O(n).
+/// Fits a cylinder to the points of a slab. O(n). \pre there are more than six points
 inline Fitted_cylinder fitted_cylinder(const Slab& points)
 {
   Fitted_cylinder result;
@@ -115,6 +115,7 @@ inline Fitted_cylinder fitted_cylinder(const Slab& points)
   const double shortened = // 1 - cosine, per square of the slope
     result.cosine * result.cosine / (1 + result.cosine);
   result.shorten -= shortened * slope * slope.transpose();
+  constexpr double unknowns = 6; // as many points are on some cylinder
   const std::size_t size = points.across.size();
   result.straight.reserve(size);
   for(std::size_t i = 0; i < size; ++i)
@@ -124,9 +125,9 @@ inline Fitted_cylinder fitted_cylinder(const Slab& points)
   result.off.reserve(size);
   for(const Eigen::Vector2d& p : result.straight) {
     result.off.push_back(std::abs((p - circle.center).norm() - circle.radius) / circle.radius);
-    squares += result.off.back() * result.off.back() / static_cast<double>(size);
+    squares += result.off.back() * result.off.back();
   }
-  result.mean_off = std::sqrt(squares);
+  result.mean_off = std::sqrt(squares / (static_cast<double>(size) - unknowns));
   return result;
 }
 
