@@ -15,9 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
-#include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -102,8 +99,8 @@ struct Fitted_cylinder
   Eigen::Matrix2d shorten = Eigen::Matrix2d::Identity();
   std::vector<Eigen::Vector2d> straight; ///< The points, shortened.
   Circle circle;                         ///< Among them.
-  std::vector<double> off;               ///< How far each is off the circle, in its radii.
-  double mean_off = 0; ///< The root mean square of that, per point that the fit leaves free.
+  double off = 0; ///< How far the points are off it, in its radii: root mean square, per point that
+                  ///< the fit leaves free.
 };
 
 /// Fits a cylinder to the points of a slab. O(n). \pre there are more than six points
@@ -122,30 +119,11 @@ inline Fitted_cylinder fitted_cylinder(const Slab& points)
     result.straight.emplace_back(result.shorten * (points.across[i] - points.along[i] * slope));
   const Circle& circle = result.circle = fitted_circle(result.straight);
   double squares = 0;
-  result.off.reserve(size);
   for(const Eigen::Vector2d& p : result.straight) {
-    result.off.push_back(std::abs((p - circle.center).norm() - circle.radius) / circle.radius);
-    squares += result.off.back() * result.off.back();
+    const double off = (p - circle.center).norm() / circle.radius - 1;
+    squares += off * off;
   }
-  result.mean_off = std::sqrt(squares / (static_cast<double>(size) - unknowns));
-  return result;
-}
-
-/// Returns the four fifths of the points of a slab that are nearest to the circle of a cylinder
-/// fitted to them. O(n log n).
-inline Slab without_furthest(const Slab& points, const Fitted_cylinder& cylinder)
-{
-  std::vector<std::size_t> nearest(points.across.size());
-  std::iota(nearest.begin(), nearest.end(), std::size_t(0));
-  std::sort(nearest.begin(), nearest.end(), [&](std::size_t i, std::size_t j) {
-    return std::make_pair(cylinder.off[i], i) < std::make_pair(cylinder.off[j], j);
-  });
-  nearest.resize(4 * nearest.size() / 5);
-  Slab result;
-  for(std::size_t i : nearest) {
-    result.across.push_back(points.across[i]);
-    result.along.push_back(points.along[i]);
-  }
+  result.off = std::sqrt(squares / (static_cast<double>(size) - unknowns));
   return result;
 }
 
@@ -162,28 +140,6 @@ inline double arc_seen_from_one_side(double spacing, double radius)
 /// Points from which a round section is told: fewer are near some circle by chance.
 constexpr std::size_t fewest_on_circle = 12;
 
-/// Returns the cylinder that the points of a slab are on, or those that remain in it: up to half
-/// may be of something else (least trimmed squares, Rousseeuw 1984). Nothing if they are off it by
-/// more than 15 % of its radius, as scattered ones are, if there are too few, or if the cosine of
-/// the angle between the cylinder and the curve is less than `aligned`. O(n log n).
-inline std::optional<Fitted_cylinder> cylinder_of_most(Slab& points, double aligned)
-{
-  constexpr int trimmings = 3;           // which leave half of the points
-  constexpr double off_of_nearest = 0.7; // of what is off by chance, four fifths are as much less
-  constexpr double scattered = 0.3;      // radii; points scattered over a disc are 0.34 off
-  double most_off = 0.15;                // radii, at first
-  for(int k = 0; k <= trimmings && points.across.size() >= fewest_on_circle; ++k) {
-    Fitted_cylinder cylinder = fitted_cylinder(points);
-    if(cylinder.cosine < aligned || !(cylinder.mean_off < scattered))
-      break;
-    if(cylinder.mean_off < most_off)
-      return cylinder;
-    points = without_furthest(points, cylinder);
-    most_off *= off_of_nearest;
-  }
-  return std::nullopt;
-}
-
 /// A round cross-section of a limb.
 struct Round_section
 {
@@ -191,19 +147,24 @@ struct Round_section
   double share = 0; ///< How much it counts beside its points, in [0, 1].
 };
 
-/// Returns the circle across the cylinder that the points of a slab are on, `cylinder_of_most()`. A
-/// curve that is not centred yet is crooked, and a section across it is no circle. The circle counts
-/// wholly if as much of it was seen as from one side, see `arc_seen_from_one_side()`; not at all if
-/// it was 30 degrees less, since leaves are folded as much. O(n log n).
-inline Round_section round_section(Slab points, double aligned)
+/// Returns the circle across the cylinder that the points of a slab are on. A curve that is not
+/// centred yet is crooked, and a section across it is no circle. The circle counts wholly if as much
+/// of it was seen as from one side, see `arc_seen_from_one_side()`; not at all if it was 30 degrees
+/// less, since leaves are folded as much. Nor if the points are off it by more than a twentieth of
+/// its radius, as scattered ones are, if there are too few, or if the cosine of the angle between
+/// the cylinder and the curve is less than `aligned`. O(n log n).
+inline Round_section round_section(const Slab& points, double aligned)
 {
+  constexpr double most_off = 0.05; // radii
   constexpr double folded = CGAL_PI / 6;
-  const std::optional<Fitted_cylinder> cylinder = cylinder_of_most(points, aligned);
-  if(!cylinder)
+  if(points.across.size() < fewest_on_circle)
     return {};
-  const Circle& circle = cylinder->circle;
+  const Fitted_cylinder cylinder = fitted_cylinder(points);
+  if(cylinder.cosine < aligned || !(cylinder.off < most_off))
+    return {};
+  const Circle& circle = cylinder.circle;
   std::vector<Eigen::Vector2d> around;
-  for(const Eigen::Vector2d& p : cylinder->straight)
+  for(const Eigen::Vector2d& p : cylinder.straight)
     around.push_back(p - circle.center);
   const double seen = // there is one gap
     (std::max)(0.0, 2 * CGAL_PI - cross_section(around).unknown - between_points);
@@ -213,7 +174,7 @@ inline Round_section round_section(Slab points, double aligned)
   const double area = 2 * half_width * seen * circle.radius;
   const double spacing = std::sqrt(area / static_cast<double>(around.size()));
   const double missing = arc_seen_from_one_side(spacing, circle.radius) - seen;
-  return {{cylinder->shorten.inverse() * circle.center, circle.radius},
+  return {{cylinder.shorten.inverse() * circle.center, circle.radius},
           std::clamp(1 - missing / folded, 0.0, 1.0)};
 }
 
