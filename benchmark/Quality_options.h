@@ -24,6 +24,7 @@ struct Quality_options
   std::vector<double> noise = {0, 0.005, 0.01}; ///< standard deviations, in diagonals
   unsigned int turns = 0;                       ///< orientations of every input beside its own
   bool mean_curvature_flow = false;
+  bool are_trees = false; ///< whether all clouds are trees that grow along z
 
   int levels = 0; ///< of a tree; 0: the trees of the table
 

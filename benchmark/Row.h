@@ -7,6 +7,7 @@
 #include "Measurements.h"
 #include "Table.h"
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -23,7 +24,8 @@ struct Row : Measurements
   double thinnest = not_measured;    ///< radius of a limb, in distances between points
   std::string size;                  ///< number of points that a scan should have
   std::string places;                ///< of the scanner
-  std::size_t seen_ends = 0;         ///< true ends that have points near them
+  std::optional<std::size_t> seen_ends; ///< true ends that have points near them
+  std::optional<std::size_t> trunk;     ///< of three heights, those with one curve in the trunk
   double found = not_measured;       ///< share of the true skeleton that has points near it
   double true_share = not_measured;  ///< of our skeleton
   double centred = not_measured;     ///< share of our skeleton near the true axis
@@ -41,6 +43,20 @@ struct Row : Measurements
   std::optional<bool> cycles_exact() const { return is_exact(got.cycles, truth.cycles); }
   std::optional<bool> ends_exact() const { return is_exact(got.ends, truth.ends); }
   std::optional<bool> junctions_exact() const { return is_exact(got.junctions, truth.junctions); }
+
+  /// Whether there are as many ends as can be seen, but for 15 %.
+  std::optional<bool> ends_close() const
+  {
+    constexpr double tolerance = 0.15;
+    if(!seen_ends || status != "ok")
+      return is_exact(got.ends, seen_ends);
+    const auto ours = static_cast<double>(got.ends), seen = static_cast<double>(*seen_ends);
+    return std::abs(ours - seen) <= tolerance * seen;
+  }
+  std::optional<bool> trunk_exact() const
+  {
+    return trunk ? is_exact(*trunk, 3) : std::nullopt;
+  }
 
   /// Whether all that is known is right.
   std::optional<bool> exact() const
@@ -82,12 +98,20 @@ inline Column count(const std::string& name, std::size_t Graph_counts::*member)
   return {name, 4, [member](const Row& row) { return std::to_string(row.got.*member); }};
 }
 
+/// "-" if it is not known.
+inline std::string if_known(const std::optional<std::size_t>& value)
+{
+  return value ? std::to_string(*value) : "-";
+}
+
 inline Column truth(const std::string& name, std::optional<std::size_t> Truth::*member)
 {
-  return {name, 4, [member](const Row& row) {
-            const std::optional<std::size_t>& value = row.truth.*member;
-            return value ? std::to_string(*value) : std::string("-");
-          }};
+  return {name, 4, [member](const Row& row) { return if_known(row.truth.*member); }};
+}
+
+inline Column known(const std::string& name, std::optional<std::size_t> Row::*member)
+{
+  return {name, 4, [member](const Row& row) { return if_known(row.*member); }};
 }
 
 inline Column exact()

@@ -7,6 +7,7 @@
 #include "Report.h"
 #include "measure.h"
 #include "read_points.h"
+#include "trunk_curves.h"
 
 #include <cstddef>
 #include <exception>
@@ -42,9 +43,17 @@ Cloud parse(const std::string& argument)
   return cloud;
 }
 
+/// Where z of a file is up, in one of its orientations.
+metrics::Vector turned_up(unsigned int turn)
+{
+  const std::vector<Point> z = turned({Point(0, 0, 0), Point(0, 0, 1)}, turn);
+  return metrics::to_point(z[1]) - metrics::to_point(z[0]);
+}
+
 /// \param variant how the cloud was turned; empty if it was not
+/// \param up where z is then
 void add_rows(const Cloud& cloud, const std::string& variant, const std::vector<Point>& points,
-              const Quality_options& options, std::vector<Row>& rows)
+              const metrics::Vector& up, const Quality_options& options, std::vector<Row>& rows)
 {
   for(const Outcome& outcome : skeletonize(points, options)) {
     Row row;
@@ -52,6 +61,8 @@ void add_rows(const Cloud& cloud, const std::string& variant, const std::vector<
     row.variant = variant;
     row.truth = cloud.truth;
     measure(row, outcome, points);
+    if(options.are_trees)
+      row.trunk = metrics::trunk_curves(outcome.skeleton, points, up);
     write_miss(options.misses, row, outcome.skeleton, points);
     rows.push_back(row);
   }
@@ -62,9 +73,10 @@ std::vector<Row> rows_of(const Cloud& cloud, const Quality_options& options)
   try {
     const std::vector<Point> points = read_points<Point>(cloud.file);
     std::vector<Row> rows;
-    add_rows(cloud, "", points, options, rows);
+    add_rows(cloud, "", points, {0, 0, 1}, options, rows);
     for(unsigned int turn = 1; turn <= options.turns; ++turn)
-      add_rows(cloud, "turn " + std::to_string(turn), turned(points, turn), options, rows);
+      add_rows(cloud, "turn " + std::to_string(turn), turned(points, turn), turned_up(turn),
+               options, rows);
     return rows;
   } catch(const std::exception& error) {
     return {failed_row(cloud.file, error)};
@@ -78,12 +90,12 @@ Layout layout()
            text("method", 9, &Row::method), exact(), count("comp", &Graph_counts::components),
            truth("comp_true", &Truth::components), count("cycles", &Graph_counts::cycles),
            truth("cycles_true", &Truth::cycles), count("ends", &Graph_counts::ends),
-           count("junctions", &Graph_counts::junctions), spurs(),
+           count("junctions", &Graph_counts::junctions), known("trunk", &Row::trunk), spurs(),
            number("unexplained", &Row::unexplained, 4),
            number("seconds", &Row::seconds, 2), text("status", 2, &Row::status)},
           {group_name(), group_method(), group_size(), share("exact%", &Row::exact),
            share("comp%", &Row::components_exact), share("cycles%", &Row::cycles_exact),
-           total_spurs(), mean("unexplained", &Row::unexplained, 4),
+           share("trunk%", &Row::trunk_exact), total_spurs(), mean("unexplained", &Row::unexplained, 4),
            mean("seconds", &Row::seconds, 2)},
           {}};
 }

@@ -44,10 +44,11 @@ void measure_scan(Row& row, const Skeleton& skeleton, const Skeleton& reference,
     return tree.distance(p) <= near + radius_at(p, reference);
   };
   const auto always = [](const metrics::Point&) { return true; };
-  row.seen_ends = 0;
+  std::size_t seen_ends = 0;
   for(const auto v : boost::make_iterator_range(vertices(reference)))
     if(out_degree(v, reference) == 1 && is_seen(metrics::to_point(reference[v].point)))
-      ++row.seen_ends;
+      ++seen_ends;
+  row.seen_ends = seen_ends;
   const double step = near / samples;
   row.found = metrics::share_within(near, reference, skeleton, is_seen, step);
   row.true_share = metrics::share_within(near, skeleton, reference, always, step);

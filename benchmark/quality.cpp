@@ -119,6 +119,8 @@ CLI::App* add_clouds(CLI::App& app, Quality_options& options)
   CLI::App* command = app.add_subcommand("clouds", "raw clouds");
   command->add_option("FILES", options.files, "FILE, or FILE:COMPONENTS:CYCLES if they are known")
       ->required();
+  command->add_flag("--trees", options.are_trees,
+                    "they are trees that grow along z: also count the curves in their trunks");
   add_turns_option(*command, options);
   add_beside_option(*command, options);
   add_common_options(*command, options);

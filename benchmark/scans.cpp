@@ -13,6 +13,7 @@
 #include "to_points.h"
 
 #include "generator/clouds.h"
+#include "generator/families.h"
 #include "generator/scanned_families.h"
 #include "generator/scanner.h"
 
@@ -93,7 +94,6 @@ std::vector<Row> rows_of(const std::string& argument, const Quality_options& opt
 Layout layout()
 {
   using namespace columns;
-  const auto seen_ends = [](const Row& row) { return std::to_string(row.seen_ends); };
   return {{text("cloud", 20, &Row::shape),
            text("seed", 4, &Row::seed),
            text("places", 6, &Row::places),
@@ -108,7 +108,7 @@ Layout layout()
            number("true", &Row::true_share, 3),
            number("centred", &Row::centred, 3),
            count("ends", &Graph_counts::ends),
-           {"ends_true", 4, seen_ends},
+           known("ends_true", &Row::seen_ends),
            number("unsupported", &Row::unsupported, 3),
            number("radius", &Row::radius, 2),
            number("seconds", &Row::seconds, 2),
@@ -116,23 +116,32 @@ Layout layout()
           {group_name(), group_method(), group_size(), share("exact%", &Row::exact),
            share("comp%", &Row::components_exact), share("cycles%", &Row::cycles_exact),
            mean("found", &Row::found, 3), mean("true", &Row::true_share, 3),
-           mean("centred", &Row::centred, 3),
+           mean("centred", &Row::centred, 3), share("ends15%", &Row::ends_close),
            mean("unsupported", &Row::unsupported, 3), mean("radius", &Row::radius, 2),
            mean("seconds", &Row::seconds, 2)},
           {[](const Row& row) { return row.shape; }, [](const Row& row) { return row.size; },
            [](const Row& row) { return row.places; }, [](const Row& row) { return row.variant; }}};
 }
 
+/// The families named; if none is, those that only a scan can show.
+std::vector<std::string> chosen_families(const std::vector<std::string>& names)
+{
+  std::vector<std::string> all = shapes::scanned_family_names();
+  if(names.empty())
+    return all;
+  all.insert(all.end(), shapes::family_names().begin(), shapes::family_names().end());
+  return chosen(names, all, "family");
+}
+
 } // namespace
 
 std::vector<Job> chosen_jobs(const Quality_options& options)
 {
-  const auto& all = shapes::scanned_family_names();
   const auto name_of = [](const Variant& variant) { return variant.name; };
   const bool are_meshes = !options.meshes.empty();
   const std::vector<std::string> shapes = are_meshes
                                             ? meshes::chosen_files(options.meshes)
-                                            : chosen(options.families, all, "family");
+                                            : chosen_families(options.families);
   std::vector<Job> jobs;
   for(const std::string& shape : shapes)
     for(unsigned int i = 0; i < options.seeds; ++i)

@@ -170,6 +170,11 @@ check "what is wrong with a reference" test "$(field status 3)" != ok
 check "that there is none" test "$(field status 4)" != ok
 check "what is wrong with a cloud" test "$(field status 5)" != ok
 
+accepts clouds rod.xyz --trees --turns 1 --csv table.csv
+for row in 1 2; do
+  has trunk $row 3 # z of the file is up however it is turned
+done
+
 cp cloud.xyz "a cloud.xyz"
 accepts clouds cloud.xyz "a cloud.xyz:5" --as-published --csv table.csv --misses misses
 has points 1 600

@@ -6,6 +6,7 @@
 #include "catch2.h"
 #include "radius_factor.h"
 #include "share_within.h"
+#include "trunk_curves.h"
 #include "unsupported_share.h"
 
 #include <CGAL/Curve_skeleton_3.h>
@@ -114,6 +115,31 @@ TEST_CASE("A skeleton without a cloud is not supported")
   const metrics::Point_tree tree(tube(-1, 1, 360));
   CHECK(metrics::unsupported_share(alone, tree, 0.15) == 1); // it has no direction
   CHECK(metrics::unsupported_share(alone, tree, 1.1) == 0);
+}
+
+TEST_CASE("A trunk has one curve if nothing else passes there and points are around it")
+{
+  // A slanted trunk, ten long, in which, beside which or without which a curve runs.
+  const metrics::Vector up(1, 0, 1);
+  const auto slanted = [](double x, double z) { return Point(x + z, 0.5, z - x); };
+  const auto line = [&](double x, double from) {
+    return path({slanted(x, from), slanted(x, 4), slanted(0, 10)});
+  };
+  std::vector<Point> trunk;
+  for(const metrics::Point& p : tube(0, 10, 360))
+    trunk.push_back(slanted(p.x() / 10, p.z()) + Kernel::Vector_3(0, p.y() / 10, 0));
+  CHECK(metrics::trunk_curves(line(0, 0), trunk, up) == 3);
+  CHECK(metrics::trunk_curves(line(0.09, 0), trunk, up) == 3);
+  CHECK(metrics::trunk_curves(line(0.15, 0), trunk, up) == 0);
+  CHECK(metrics::trunk_curves(line(0, 0.6), trunk, up) == 2);
+  CHECK(metrics::trunk_curves(line(0, 0.8), trunk, up) == 1);
+  CHECK(metrics::trunk_curves(line(0, 1), trunk, up) == 0);
+  CHECK(metrics::trunk_curves(Skeleton(), trunk, up) == 0);
+  Skeleton two = line(0, 0);
+  const auto shoot = add_vertex(two);
+  two[shoot].point = slanted(3, 0);
+  add_edge(1, shoot, two);
+  CHECK(metrics::trunk_curves(two, trunk, up) == 0);
 }
 
 TEST_CASE("The factor by which radii are wrong is that of half of the length near the axis")
