@@ -95,8 +95,8 @@ Layout layout()
            number("seconds", &Row::seconds, 2), text("status", 2, &Row::status)},
           {group_name(), group_method(), group_size(), share("exact%", &Row::exact),
            share("comp%", &Row::components_exact), share("cycles%", &Row::cycles_exact),
-           share("trunk%", &Row::trunk_exact), total_spurs(), mean("unexplained", &Row::unexplained, 4),
-           mean("seconds", &Row::seconds, 2)},
+           share("trunk%", &Row::trunk_exact), total_spurs(),
+           mean("unexplained", &Row::unexplained, 4), mean("seconds", &Row::seconds, 2)},
           {}};
 }
 

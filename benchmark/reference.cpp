@@ -5,6 +5,7 @@
 
 #include "methods/add_curve.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <fstream>
 #include <map>
@@ -17,20 +18,27 @@ Skeleton reference_of(const shapes::Known_shape& shape)
 {
   std::map<Point, std::size_t> numbers; // pieces are connected where their ends coincide
   std::vector<Point> points;
-  const auto number_of = [&](const shapes::Vector& v) {
+  std::vector<double> radii;
+  const auto number_of = [&](const shapes::Vector& v, double radius) {
     const Point p(v.x(), v.y(), v.z());
     const auto [known, is_new] = numbers.emplace(p, points.size());
-    if(is_new)
+    if(is_new) {
       points.push_back(p);
+      radii.push_back(0);
+    }
+    radii[known->second] = std::max(radii[known->second], radius);
     return known->second;
   };
   std::vector<std::pair<std::size_t, std::size_t>> edges;
   for(const shapes::Axis_segment& piece : shape.axis) {
-    const std::size_t a = number_of(piece.a), b = number_of(piece.b);
+    const std::size_t a = number_of(piece.a, piece.radius_a);
+    const std::size_t b = number_of(piece.b, piece.radius_b);
     edges.emplace_back(a, b);
   }
   Skeleton skeleton;
   add_curve(skeleton, points, edges);
+  for(std::size_t v = 0; v < radii.size(); ++v)
+    skeleton[v].radius = radii[v];
   return skeleton;
 }
 

@@ -10,12 +10,12 @@
 
 #include <string>
 
-/// Skeletons that are known, to compare with. Their radii are not.
+/// Skeletons that are known, to compare with.
 
-/// The axis of a shape.
+/// The axis of a shape, with the largest radius of the pieces that meet at each vertex.
 Skeleton reference_of(const shapes::Known_shape& shape);
 
-/// From an OBJ file with vertices and polylines (`v` and `l`). \throw std::runtime_error
+/// From an OBJ file with vertices and polylines (`v` and `l`); without radii. \throw std::runtime_error
 Skeleton read_reference(const std::string& file);
 
 #endif // POINT_SET_SKELETONIZATION_3_BENCHMARK_REFERENCE_H
