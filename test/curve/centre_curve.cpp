@@ -242,10 +242,27 @@ TEST_CASE("Points on half of a tube tell where its axis is, though the curve is 
     }
     CHECK(section(noisy_arc(175, 0.02, 60, 50)).share == 0); // not along the curve
     CHECK(section(noisy_arc(100, 0.02, 60)).share == 0);     // as a folded leaf
-    CHECK(section(noisy_arc(175, 0.3, 60)).share == 0);      // scattered
     CHECK(section(noisy_arc(360, 0.02, 60)).share == 1);     // seen from all sides
     CHECK(section(noisy_arc(175, 0.02, 11)).share == 0);
-    Slab strip, line;
+    const Round_section noisy = section(noisy_arc(175, 0.2, 60)); // as trunks in scans
+    CHECK(noisy.share == 1);
+    CHECK((noisy.circle.center - centre).norm() < 0.4);
+    Slab with_twig = noisy_arc(175, 0.05, 60);
+    for(int i = 0; i < 5; ++i) {
+      with_twig.across.emplace_back(centre + random.uniform(2, 3) * Eigen::Vector2d(0.6, 0.8));
+      with_twig.along.push_back(random.uniform(-0.1, 0.1));
+    }
+    CHECK(section(with_twig).share == 1);
+    CHECK((section(with_twig).circle.center - centre).norm() < 0.1);
+    Slab scattered, strip, line;
+    while(scattered.across.size() < 60) {
+      const Eigen::Vector2d p(random.uniform(-2, 2), random.uniform(-2, 2));
+      if(p.norm() > 2)
+        continue;
+      scattered.across.push_back(p);
+      scattered.along.push_back(random.uniform(-0.6, 0.6));
+    }
+    CHECK(section(scattered).share == 0);
     for(int i = 0; i < 60; ++i) {
       line.across.emplace_back(i, 2 * i);
       strip.across.emplace_back(i, 0.1 * random.normal());
