@@ -26,6 +26,7 @@ struct Row : Measurements
   std::string places;                ///< of the scanner
   std::optional<std::size_t> seen_ends; ///< true ends that have points near them
   std::optional<std::size_t> trunk;     ///< of three heights, those with one curve in the trunk
+  double trunk_off = not_measured;      ///< radii of the trunk
   double found = not_measured;       ///< share of the true skeleton that has points near it
   double true_share = not_measured;  ///< of our skeleton
   double centred = not_measured;     ///< share of our skeleton near the true axis

@@ -61,8 +61,11 @@ void add_rows(const Cloud& cloud, const std::string& variant, const std::vector<
     row.variant = variant;
     row.truth = cloud.truth;
     measure(row, outcome, points);
-    if(options.are_trees)
-      row.trunk = metrics::trunk_curves(outcome.skeleton, points, up);
+    if(options.are_trees) {
+      const metrics::Trunk_curves trunk = metrics::trunk_curves(outcome.skeleton, points, up);
+      row.trunk = trunk.single;
+      row.trunk_off = trunk.off;
+    }
     write_miss(options.misses, row, outcome.skeleton, points);
     rows.push_back(row);
   }
@@ -90,12 +93,13 @@ Layout layout()
            text("method", 9, &Row::method), exact(), count("comp", &Graph_counts::components),
            truth("comp_true", &Truth::components), count("cycles", &Graph_counts::cycles),
            truth("cycles_true", &Truth::cycles), count("ends", &Graph_counts::ends),
-           count("junctions", &Graph_counts::junctions), known("trunk", &Row::trunk), spurs(),
+           count("junctions", &Graph_counts::junctions), known("trunk", &Row::trunk),
+           number("trunk_off", &Row::trunk_off, 2), spurs(),
            number("unexplained", &Row::unexplained, 4),
            number("seconds", &Row::seconds, 2), text("status", 2, &Row::status)},
           {group_name(), group_method(), group_size(), share("exact%", &Row::exact),
            share("comp%", &Row::components_exact), share("cycles%", &Row::cycles_exact),
-           share("trunk%", &Row::trunk_exact), total_spurs(),
+           share("trunk%", &Row::trunk_exact), mean("trunk_off", &Row::trunk_off, 3), total_spurs(),
            mean("unexplained", &Row::unexplained, 4), mean("seconds", &Row::seconds, 2)},
           {}};
 }

@@ -117,29 +117,41 @@ TEST_CASE("A skeleton without a cloud is not supported")
   CHECK(metrics::unsupported_share(alone, tree, 1.1) == 0);
 }
 
-TEST_CASE("A trunk has one curve if nothing else passes there and points are around it")
+TEST_CASE("Curves in a trunk, of which half was seen and beside which something grows")
 {
-  // A slanted trunk, ten long, in which, beside which or without which a curve runs.
   const metrics::Vector up(1, 0, 1);
   const auto slanted = [](double x, double z) { return Point(x + z, 0.5, z - x); };
   const auto line = [&](double x, double from) {
     return path({slanted(x, from), slanted(x, 4), slanted(0, 10)});
   };
+  const double radius = 0.1 * std::sqrt(2); // across the trunk
   std::vector<Point> trunk;
-  for(const metrics::Point& p : tube(0, 10, 360))
-    trunk.push_back(slanted(p.x() / 10, p.z()) + Kernel::Vector_3(0, p.y() / 10, 0));
-  CHECK(metrics::trunk_curves(line(0, 0), trunk, up) == 3);
-  CHECK(metrics::trunk_curves(line(0.09, 0), trunk, up) == 3);
-  CHECK(metrics::trunk_curves(line(0.15, 0), trunk, up) == 0);
-  CHECK(metrics::trunk_curves(line(0, 0.6), trunk, up) == 2);
-  CHECK(metrics::trunk_curves(line(0, 0.8), trunk, up) == 1);
-  CHECK(metrics::trunk_curves(line(0, 1), trunk, up) == 0);
-  CHECK(metrics::trunk_curves(Skeleton(), trunk, up) == 0);
+  for(const metrics::Point& p : tube(0, 10, 180)) {
+    trunk.push_back(slanted(p.x() / 10, p.z()) + Kernel::Vector_3(0, radius * p.y(), 0));
+    if(p.x() > 0.9)
+      trunk.push_back(slanted(p.x(), p.z()));
+  }
+  const auto curves = [&](const Skeleton& skeleton) {
+    return metrics::trunk_curves(skeleton, trunk, up);
+  };
+  CHECK(curves(line(0, 0)).single == 3);
+  CHECK(curves(line(0, 0)).off < 0.1);
+  CHECK(curves(line(0.05, 0)).single == 3);
+  CHECK(curves(line(0.05, 0)).off == Approx(0.5).margin(0.1));
+  CHECK(curves(line(0.15, 0)).single == 0);
+  CHECK(curves(line(0.15, 0)).off == Approx(1.5).margin(0.1));
+  CHECK(curves(line(0, 0.6)).single == 2);
+  CHECK(curves(line(0, 0.8)).single == 1);
+  CHECK(curves(line(0, 1)).single == 0);
+  CHECK(std::isnan(curves(line(0, 1)).off));
+  CHECK(curves(Skeleton()).single == 0);
   Skeleton two = line(0, 0);
-  const auto shoot = add_vertex(two);
-  two[shoot].point = slanted(3, 0);
-  add_edge(1, shoot, two);
-  CHECK(metrics::trunk_curves(two, trunk, up) == 0);
+  const auto beside = add_vertex(two);
+  two[beside].point = slanted(0.05, 0);
+  add_edge(1, beside, two);
+  CHECK(curves(two).single == 0);
+  two[beside].point = slanted(3, 0);
+  CHECK(curves(two).single == 3);
 }
 
 TEST_CASE("The factor by which radii are wrong is that of half of the length near the axis")
