@@ -122,8 +122,8 @@ private:
                        ///< circle; 0 elsewhere.
     double point_radius = 0; ///< Of an open limb, by its points; if 0 the next two are unknown.
     Vector3 median = Vector3::Zero(); ///< L1-median of the points.
-    double axis_share = 0;    ///< How much of the middle is the axis of the limb, not this.
-    double unknown_share = 0; ///< How much of the axis, in [0, 1], others around may know better.
+    double axis_share = 0;    ///< How much of the middle is the axis of a round limb, not this.
+    double unknown_share = 0; ///< How much of the middle, in [0, 1], the axis beside tells better.
     Vector3 target = Vector3::Zero(); ///< The middle, less what sections around know better.
   };
 
@@ -204,10 +204,11 @@ private:
                 mean(point_radius, area_radius), false, true};
     result.point_radius = point_radius;
     result.median = in_space(across.median);
-    result.axis_share = vertex.is_on_line || is_round ? across.round_share : share;
+    result.axis_share = across.round_share;
+    const double known_share = vertex.is_on_line || is_round ? across.round_share : share;
     // Points on all sides tell what is in the middle of them.
     result.unknown_share =
-      (1 - result.axis_share) * (std::min)(1.0, section.unknown / between_points);
+      (1 - known_share) * (std::min)(1.0, section.unknown / between_points);
     return result;
   }
 
@@ -261,8 +262,9 @@ private:
         drawn_[vertices[k]] = not_drawn(vertices[k], first_radius(vertices[k]));
   }
 
-  /// Sets the targets. Where a cross-section does not tell the axis of an open limb, the target is
-  /// as far off the L1-median of its points as the axis is beside it, within two radii.
+  /// Sets the targets. Where a cross-section does not tell the middle of an open limb, the target
+  /// is as far off the L1-median of its points as the axis of a round limb is beside it, within two
+  /// radii. The middle of an area beside it tells nothing: a leaf that is rolled up opens.
   void draw_axes_on()
   {
     constexpr double reach = 2; // radii
