@@ -128,60 +128,83 @@ struct Cylinder_section
   }
 };
 
-/// Fits a cylinder to the points of a slab, of which some may be of something else: the least
-/// squares of their distances from it, with weights that fall with the distance (Cauchy's, see
-/// Holland and Welsch 1977). Starts with all points. What is no cylinder is left soon. O(n).
-/// \pre there are more than six points
+/// Weighted equations for how a cylinder is to change, per radius: slope, centre, radius.
+struct Cylinder_equations
+{
+  static constexpr Eigen::Index unknowns = 5;
+  using Equation = Eigen::Matrix<double, unknowns, 1>;
+  using Matrix = Eigen::Matrix<double, unknowns, unknowns>;
+
+  Matrix products = Matrix::Zero();
+  Equation right = Equation::Zero();
+};
+
+/// Returns the equations for the points of a slab to be on a cylinder. Weights fall with the
+/// distance from it (Cauchy's, see Holland and Welsch 1977). O(n).
+inline Cylinder_equations cylinder_equations(const Cylinder_section& section, const Slab& slab)
+{
+  constexpr double tuning = 2.385; // standard deviations; of normally distributed points it takes
+                                   // 5 % more to know as much as without weights
+  const Circle& circle = section.circle;
+  Cylinder_equations result;
+  for(std::size_t i = 0; i < section.points.size(); ++i) {
+    const Eigen::Vector2d outwards = (section.points[i] - circle.center).normalized();
+    const double off = section.off(i), relative = off / (tuning * section.noise);
+    const double weight = 1 / (1 + relative * relative);
+    Cylinder_equations::Equation row;
+    row << slab.along[i] / circle.radius * outwards, outwards, 1;
+    result.products += weight * row * row.transpose();
+    result.right += weight * off * row;
+  }
+  return result;
+}
+
+/// Returns the standard deviation of the points from a circle, in its radii, by the median of their
+/// distances. O(n).
+inline double noise_of(const Cylinder_section& section)
+{
+  constexpr double roundest = 0.02; // radii: no limb is rounder
+  constexpr double normal = 1.4826; // standard deviations in the median distance
+  const auto size = static_cast<double>(section.points.size());
+  std::vector<double> distances;
+  for(std::size_t i = 0; i < section.points.size(); ++i)
+    distances.push_back(std::abs(section.off(i)));
+  const double free = size - static_cast<double>(Cylinder_equations::unknowns);
+  return (std::max)(roundest,
+                    std::sqrt(size / free) * normal * quantile(std::move(distances), 0.5));
+}
+
+/// Fits a cylinder to the points of a slab, of which a few may be of something else: the weighted
+/// least squares of their distances from it, starting with all points. What is no cylinder is left
+/// soon. O(n). \pre there are more than six points
 inline Cylinder_section fitted_cylinder(const Slab& slab)
 {
   // Radii: points scattered all over a disc deviate by 0.35 from a circle, in radii of their mean
   // distance from its middle; those of a trunk from a laser scanner by about 0.1.
   constexpr double most_noise = 0.35 / 2;
-  constexpr int most_steps = 10; // 4 are usual
-  constexpr double last_step = 0.03; // radii: a fraction of the errors
-  constexpr double roundest = 0.02;  // radii: no limb is rounder
-  constexpr double normal = 1.4826; // standard deviations in the median distance
-  constexpr double tuning = 2.385;  // standard deviations; of normally distributed points it takes
-                                    // 5 % more to know as much as without weights
+  constexpr int most_steps = 10;
+  constexpr double last_step = 0.03;       // radii: what is left is a fraction of that
   constexpr double least_condition = 1e-9; // single points and planes are far below
-  constexpr Eigen::Index unknowns = 5;     // slope, centre, radius
-  using Equation = Eigen::Matrix<double, unknowns, 1>;
-  using Equations = Eigen::Matrix<double, unknowns, unknowns>;
-  const std::size_t size = slab.across.size();
-  const double per_free = std::sqrt(static_cast<double>(size) /
-                                    static_cast<double>(size - std::size_t(unknowns)));
   Cylinder_section result;
   Circle& circle = result.circle;
   result.set_slope(fitted_slope(slab), slab);
   circle = fitted_circle(result.points);
   for(int k = 0; k < most_steps && circle.radius > 0; ++k) {
-    std::vector<double> sizes;
-    for(std::size_t i = 0; i < size; ++i)
-      sizes.push_back(std::abs(result.off(i)));
-    result.noise = (std::max)(roundest, per_free * normal * quantile(std::move(sizes), 0.5));
+    result.noise = noise_of(result);
     if(!(result.noise < most_noise))
       break;
-    Equations products = Equations::Zero();
-    Equation right = Equation::Zero();
-    for(std::size_t i = 0; i < size; ++i) {
-      const Eigen::Vector2d outwards = (result.points[i] - circle.center).normalized();
-      const double off = result.off(i), relative = off / (tuning * result.noise);
-      const double weight = 1 / (1 + relative * relative);
-      Equation row;
-      row << slab.along[i] / circle.radius * outwards, outwards, 1;
-      products += weight * row * row.transpose();
-      right += weight * off * row;
-    }
-    const Eigen::LDLT<Equations> solver(products);
+    const Cylinder_equations equations = cylinder_equations(result, slab);
+    const Eigen::LDLT<Cylinder_equations::Matrix> solver(equations.products);
     if(!(solver.rcond() > least_condition))
       break;
-    const Equation step = solver.solve(right);
+    const Cylinder_equations::Equation step = solver.solve(equations.right);
     const Eigen::Vector2d center =
       result.shorten.inverse() * (circle.center + circle.radius * step.segment<2>(2));
     result.set_slope(result.slope + step.head<2>(), slab);
     circle = {result.shorten * center, circle.radius * (1 + step[4])};
     if(step.norm() < last_step) {
-      const Equations covariances = solver.solve(Equations::Identity());
+      const Cylinder_equations::Matrix covariances =
+        solver.solve(Cylinder_equations::Matrix::Identity());
       result.error = result.noise * std::sqrt(covariances(2, 2) + covariances(3, 3));
       break;
     }
@@ -210,12 +233,12 @@ struct Round_section
 };
 
 /// Returns the circle across the cylinder that the points of a slab are on. A curve that is not
-/// centred yet is crooked, and a section across it is no circle. The circle counts wholly if as much
-/// of it was seen as from one side, see `arc_seen_from_one_side()`; not at all if it was 30 degrees
-/// less, since leaves are folded as much. Nor if its centre is not known (of half a circle the
-/// median of the points is 0.64 radii from the centre, so this is to be nearer), if there are too
-/// few points, or if the cosine of the angle between the cylinder and the curve is less than
-/// `aligned`. O(n log n).
+/// centred yet is crooked, and a section across it is no circle. The circle counts wholly if as
+/// much of it was seen as from one side, see `arc_seen_from_one_side()`; not at all if it was 30
+/// degrees less, since leaves are folded as much. Nor if its centre is not known well enough (of
+/// half a circle the median of the points is 0.64 radii from the centre, which is to be nearer), if
+/// there are too few points, or if the cosine of the angle between the cylinder and the curve is
+/// less than `aligned`. O(n log n).
 inline Round_section round_section(const Slab& slab, double aligned)
 {
   constexpr double most_error = 0.15; // radii: twice that is half as far off as the median
