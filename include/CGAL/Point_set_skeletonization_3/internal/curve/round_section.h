@@ -180,8 +180,9 @@ inline double noise_of(const Cylinder_section& section)
 inline Cylinder_section fitted_cylinder(const Slab& slab)
 {
   // Radii: points scattered all over a disc deviate by 0.35 from a circle, in radii of their mean
-  // distance from its middle; those of a trunk from a laser scanner by about 0.1.
-  constexpr double most_noise = 0.35 / 2;
+  // distance from its middle; those of a trunk from a laser scanner by about 0.1. Before the fit is
+  // done they are further off.
+  constexpr double scattered = 0.35, most_at_first = scattered / 2, most_left = scattered / 3;
   constexpr int most_steps = 10;
   constexpr double last_step = 0.03;       // radii: what is left is a fraction of that
   constexpr double least_condition = 1e-9; // single points and planes are far below
@@ -191,7 +192,7 @@ inline Cylinder_section fitted_cylinder(const Slab& slab)
   circle = fitted_circle(result.points);
   for(int k = 0; k < most_steps && circle.radius > 0; ++k) {
     result.noise = noise_of(result);
-    if(!(result.noise < most_noise))
+    if(!(result.noise < most_at_first))
       break;
     const Cylinder_equations equations = cylinder_equations(result, slab);
     const Eigen::LDLT<Cylinder_equations::Matrix> solver(equations.products);
@@ -203,6 +204,8 @@ inline Cylinder_section fitted_cylinder(const Slab& slab)
     result.set_slope(result.slope + step.head<2>(), slab);
     circle = {result.shorten * center, circle.radius * (1 + step[4])};
     if(step.norm() < last_step) {
+      if(!(result.noise < most_left))
+        break;
       const Cylinder_equations::Matrix covariances =
         solver.solve(Cylinder_equations::Matrix::Identity());
       result.error = result.noise * std::sqrt(covariances(2, 2) + covariances(3, 3));
