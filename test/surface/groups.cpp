@@ -18,6 +18,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/surface/contract_patches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/estimate_patches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/flat_groups.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/line_components.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -66,12 +67,22 @@ Gaussians sphere(double radius, unsigned int seed)
   return components_on(place, 200000, seed);
 }
 
+K_nearest_neighbors neighbors_of(const Gaussians& components)
+{
+  return k_nearest_neighbors(Box_tree(means_of(components)), surface_neighbors + 1,
+                             Concurrency::sequential);
+}
+
 Patches patches_of(const Gaussians& components)
 {
-  const Box_tree tree(means_of(components));
-  return estimate_patches(
-    components, k_nearest_neighbors(tree, surface_neighbors + 1, Concurrency::sequential), options,
-    Concurrency::sequential);
+  return estimate_patches(components, neighbors_of(components), options, Concurrency::sequential);
+}
+
+Patch_groups groups_of(const Gaussians& components, double cell_size = cell)
+{
+  return flat_groups(
+    components, line_components(components, neighbors_of(components), Concurrency::sequential),
+    cell_size, options);
 }
 
 double width(const Gaussians& components, const Patch_groups::Members& members)
@@ -103,7 +114,7 @@ TEST_CASE("A plane is merged into few patches, and the more so the larger it is"
   for(unsigned int seed : seeds) {
     CAPTURE(seed);
     const Gaussians plane = components_on(on_plane, 100000, seed);
-    const Patch_groups groups = flat_groups(plane, cell, options);
+    const Patch_groups groups = groups_of(plane);
     CHECK(groups.size() < plane.size() / 50);
   }
 }
@@ -119,7 +130,7 @@ TEST_CASE("A straight line is divided into pieces that are about as long as wide
           return Vector3(x, y + 0.2 * x, 0.3 * x);
         },
         20000, seed);
-      const Patch_groups groups = flat_groups(strip, cell, options);
+      const Patch_groups groups = groups_of(strip);
       std::vector<double> least(groups.size(), 1), most(groups.size(), 0);
       for(std::size_t i = 0; i < strip.size(); ++i) {
         const std::size_t group = groups.group_of()[i];
@@ -134,13 +145,39 @@ TEST_CASE("A straight line is divided into pieces that are about as long as wide
     }
 }
 
+TEST_CASE("Components of a twig stay alone, those of the leaf that it ends in do not")
+{
+  const double length = 0.5, leaf = 0.3, radius = 0.6 * cell;
+  for(unsigned int seed : seeds) {
+    CAPTURE(seed);
+    Gaussians components = components_on(
+      [&](Random& random) {
+        const Vector3 across = radius * random.direction();
+        const double x = length * random.uniform();
+        return Vector3(x + 0.3 * across.x(), 0.4 * x + across.y(), 0.2 * x + across.z());
+      },
+      400, seed);
+    const std::size_t of_twig = components.size();
+    for(const Gaussian& g : components_on(on_plane, 40000, seed))
+      components.push_back({g.weight, Vector3(length, 0.4 * length, 0.2 * length) + leaf * g.mean,
+                            Matrix3::Zero()});
+    const Patch_groups groups = groups_of(components);
+    std::size_t alone_of_twig = 0, alone_of_leaf = 0;
+    for(std::size_t i = 0; i < components.size(); ++i)
+      if(groups[groups.group_of()[i]].size() == 1)
+        ++(i < of_twig ? alone_of_twig : alone_of_leaf);
+    CHECK(10 * alone_of_twig > 9 * of_twig);
+    CHECK(2 * alone_of_leaf < components.size() - of_twig); // along its rim they do
+  }
+}
+
 TEST_CASE("Patches of a sphere are as wide as it is round, however fine its components are")
 {
   for(unsigned int seed : seeds) {
     CAPTURE(seed);
     const Gaussians small = sphere(0.1, seed), large = sphere(0.4, seed);
-    const auto of_small = flat_groups(small, cell, options).size();
-    const auto of_large = flat_groups(large, cell, options).size();
+    const auto of_small = groups_of(small).size();
+    const auto of_large = groups_of(large).size();
     const auto ratio = static_cast<double>(of_large) / static_cast<double>(of_small);
     CHECK(large.size() > 4 * small.size());
     CHECK(ratio > 0.3); // widths are powers of two: within a factor of two
@@ -159,7 +196,7 @@ TEST_CASE("Two sheets share hardly a patch if there is a cell between them")
       },
       100000, seed);
     const Patch_groups groups =
-      connected_groups(flat_groups(sheets, cell, options), patches_of(sheets));
+      connected_groups(groups_of(sheets), patches_of(sheets));
     std::size_t shared = 0;
     for(std::size_t g = 0; g < groups.size(); ++g)
       shared += std::any_of(groups[g].begin(), groups[g].end(), [&](std::size_t i) {
@@ -175,8 +212,8 @@ TEST_CASE("Groups depend on the components only, not on their order")
     CAPTURE(seed);
     const Gaussians components = sphere(0.3, seed);
     Gaussians reversed(components.rbegin(), components.rend());
-    const Patch_groups a = flat_groups(components, cell, options),
-                       b = flat_groups(reversed, cell, options);
+    const Patch_groups a = groups_of(components),
+                       b = groups_of(reversed);
     REQUIRE(a.size() == b.size());
     for(std::size_t g = 0; g < a.size(); ++g) {
       const std::size_t other = b.group_of()[components.size() - 1 - *a[g].begin()];
@@ -199,7 +236,7 @@ TEST_CASE("Adjacent patches differ in width by a factor of two at most")
       g.mean += Vector3(0.5, 0.5, 0.06);
       components.push_back(g);
     }
-    const Patch_groups groups = flat_groups(components, cell, options);
+    const Patch_groups groups = groups_of(components);
     // The octree cell of a group is at most twice as wide as its components and a cell, and at
     // least as wide as they are.
     for(std::size_t i = 0; i < components.size(); ++i)
@@ -218,8 +255,8 @@ TEST_CASE("Adjacent patches differ in width by a factor of two at most")
 TEST_CASE("Without cells, or with cells too small for an octree, nothing is merged")
 {
   const Gaussians components = sphere(0.3, 1);
-  CHECK(flat_groups(components, 0, options).size() == components.size());
-  CHECK(flat_groups(components, 1e-9, options).size() == components.size());
+  CHECK(groups_of(components, 0).size() == components.size());
+  CHECK(groups_of(components, 1e-9).size() == components.size());
 }
 
 TEST_CASE("Contraction keeps weight, mean, area and adjacency")
@@ -229,7 +266,7 @@ TEST_CASE("Contraction keeps weight, mean, area and adjacency")
     const Gaussians components = sphere(0.4, seed);
     const Patches fine = patches_of(components);
     const Patch_groups groups =
-      connected_groups(flat_groups(components, cell, options), fine);
+      connected_groups(groups_of(components), fine);
     REQUIRE(groups.size() < components.size() / 4);
     const Gaussians gaussians = contracted(components, groups, Concurrency::sequential);
     const Patches patches =

@@ -18,6 +18,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/surface/contract_patches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/estimate_patches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/flat_groups.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/line_components.h>
 
 #include <utility>
 
@@ -50,7 +51,8 @@ inline Surface surface_of(Consolidated_mixture& consolidated, const Surface_opti
   const Patch_groups flat = // a few twigs close to each other are flat, but no surface
     consolidated.is_of_lines
       ? Patch_groups(components.size())
-      : flat_groups(components, consolidated.cell_size, options, concurrency);
+      : flat_groups(components, line_components(components, consolidated.neighbors, concurrency),
+                    consolidated.cell_size, options, concurrency);
   const Patches fine = estimate_patches(components, consolidated.neighbors, options, concurrency);
   consolidated.neighbors = K_nearest_neighbors();
   return build_surface(components, consolidated.tree, fine,

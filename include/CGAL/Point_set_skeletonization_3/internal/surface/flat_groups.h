@@ -33,15 +33,17 @@ namespace internal {
 /// two at most. A round limb then has about the same number of patches around it however thick it
 /// is, and the number of patches is that of the details of the shape, not of its points.
 ///
-/// A piece of a line is no patch, however straight: lines and narrow strips, such as wires, twigs
-/// and what a scanner sees of them, are divided into pieces that are about as long as wide.
+/// A piece of a line is no patch, however straight: narrow strips, such as wires and what a scanner
+/// sees of them, are divided into pieces that are about as long as wide, and components that see
+/// nothing but a line stay alone: of a twig there is nothing more to be seen than each of them.
 class Flat_merging
 {
 public:
-  /// `cell_size` is the edge length of the finest cells. O(n log n).
-  Flat_merging(const Gaussians& gaussians, double cell_size, const Surface_options& options,
-               Concurrency concurrency)
-    : gaussians_(gaussians), grid_(gaussians, cell_size), options_(options),
+  /// `cell_size` is the edge length of the finest cells. Refers to Gaussians, marks and options.
+  /// O(n log n).
+  Flat_merging(const Gaussians& gaussians, const std::vector<char>& is_on_line, double cell_size,
+               const Surface_options& options, Concurrency concurrency)
+    : gaussians_(gaussians), is_on_line_(is_on_line), grid_(gaussians, cell_size), options_(options),
       concurrency_(concurrency), order_(grid_.order(gaussians)), level_of_(gaussians.size(), 0)
   {}
 
@@ -66,6 +68,7 @@ private:
     std::uint64_t code = 0;         ///< Without the bits of finer levels.
     Octree_place place{};           ///< In cells of its level.
     std::size_t begin = 0, end = 0; ///< Components, in Morton order.
+    std::size_t on_lines = 0;       ///< Number of components that are on lines.
     Moments moments;                ///< About the centre.
     bool is_complete = true;        ///< No child is divided.
     bool is_whole = true;           ///< It is not divided itself.
@@ -85,6 +88,7 @@ private:
       }
       Cell& cell = cells.back();
       cell.end = k + 1;
+      cell.on_lines += is_on_line_[order_[k].second] ? 1 : 0;
       cell.moments.add(g.weight, g.mean - grid_.center(cell.place, 0), g.covariance);
     }
     return cells;
@@ -104,6 +108,7 @@ private:
       }
       Cell& parent = parents.back();
       parent.end = child.end;
+      parent.on_lines += child.on_lines;
       parent.is_complete = parent.is_complete && child.is_whole;
       if(parent.is_complete)
         parent.moments.add(child.moments,
@@ -116,11 +121,17 @@ private:
         incomplete[parent.code] = true;
     parallel_for(concurrency_, parents.size(), [&](std::size_t i) {
       Cell& parent = parents[i];
-      parent.is_whole = parent.is_complete && is_flat(parent, level) &&
+      parent.is_whole = parent.is_complete && !is_mostly_on_lines(parent) &&
+                        is_flat(parent, level) &&
                         (incomplete.size() == 0 || !touches_any(incomplete, parent.place)) &&
                         !is_line(parent, parents);
     });
     return parents;
+  }
+
+  static bool is_mostly_on_lines(const Cell& cell)
+  {
+    return 2 * cell.on_lines > cell.end - cell.begin;
   }
 
   /// Whether the variance across the cell is a small share of that of a cell filled with points.
@@ -178,6 +189,7 @@ private:
   }
 
   const Gaussians& gaussians_;
+  const std::vector<char>& is_on_line_; ///< For each component.
   Octree_grid grid_;
   const Surface_options& options_;
   Concurrency concurrency_;
@@ -187,13 +199,14 @@ private:
 
 /// Returns groups of components that are flat together, see `Flat_merging`: each one is alone if
 /// `cell_size` is 0 or too small for an octree. O(n log n). \pre there is a component
-inline Patch_groups flat_groups(const Gaussians& gaussians, double cell_size,
-                                const Surface_options& options,
+/// \param is_on_line for each component, from `line_components()`
+inline Patch_groups flat_groups(const Gaussians& gaussians, const std::vector<char>& is_on_line,
+                                double cell_size, const Surface_options& options,
                                 Concurrency concurrency = Concurrency::sequential)
 {
   if(!has_octree(cell_size))
     return Patch_groups(gaussians.size());
-  return Flat_merging(gaussians, cell_size, options, concurrency).run();
+  return Flat_merging(gaussians, is_on_line, cell_size, options, concurrency).run();
 }
 
 } // namespace internal
