@@ -19,7 +19,6 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -36,8 +35,8 @@ struct Consolidation_options
   Noise_options noise;
 
   /// Median spacings, > 1; a component whose fourth neighbour is further away is an outlier, or on
-  /// a thin twig; in a cloud of lines the square of this. On a badly sampled surface the spacing
-  /// varies by the square root of 8, on a line by 8; outliers are spread in space.
+  /// a thin twig. On a badly sampled surface the spacing varies by the square root of 8; outliers
+  /// are spread in space.
   double isolated = 3;
 
   /// Share of the highest density nearby, in (0, 1), below which a component is dropped: the tail
@@ -161,16 +160,14 @@ private:
   /// Components far from all others are outliers; unless nearly all of these are on lines: then
   /// they are twigs thinner than the spacing, whose few points are further apart, and only those
   /// that are not on lines are outliers. Of such twigs 87 % and more are; of what a scanner sees
-  /// between two limbs, which is spread along its rays, up to 63 %. Along a line the spacing varies
-  /// with the density of the points, on a surface with the root of it.
+  /// between two limbs, which is spread along its rays, up to 63 %.
   std::vector<bool> isolated_components(const Gaussians& mixture) const
   {
     constexpr double nearly_all = 0.75;
-    const double isolated = std::pow(options_.isolated, is_of_lines_ ? 2 : 1);
     std::vector<bool> result(spacings_.size());
     std::vector<std::size_t> far, on_lines;
     for(std::size_t i = 0; i < result.size(); ++i)
-      if(result[i] = spacings_[i] > isolated * spacing_; result[i]) {
+      if(result[i] = spacings_[i] > options_.isolated * spacing_; result[i]) {
         far.push_back(i);
         if(is_on_lines(i, mixture, nearest_))
           on_lines.push_back(i);
