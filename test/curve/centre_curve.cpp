@@ -245,7 +245,7 @@ TEST_CASE("Points on half of a tube tell where its axis is, though the curve is 
     CHECK(section(noisy_arc(360, 0.02, 60)).share == 1);     // seen from all sides
     CHECK(section(noisy_arc(175, 0.02, 11)).share == 0);
     CHECK(section(noisy_arc(175, 0.3, 60)).share == 0); // scattered
-    const Round_section noisy = section(noisy_arc(175, 0.14, 60)); // as trunks in scans
+    const Round_section noisy = section(noisy_arc(175, 0.2, 60)); // as trunks in scans
     CHECK(noisy.share == 1);
     CHECK((noisy.circle.center - centre).norm() < 0.4);
     Slab with_twig = noisy_arc(175, 0.05, 60);
