@@ -195,8 +195,7 @@ TEST_CASE("Two sheets share hardly a patch if there is a cell between them")
         return Vector3(x, y, random.uniform() < 0.5 ? 0 : 2 * cell);
       },
       100000, seed);
-    const Patch_groups groups =
-      connected_groups(groups_of(sheets), patches_of(sheets));
+    const Patch_groups groups = connected_groups(groups_of(sheets), patches_of(sheets));
     std::size_t shared = 0;
     for(std::size_t g = 0; g < groups.size(); ++g)
       shared += std::any_of(groups[g].begin(), groups[g].end(), [&](std::size_t i) {
@@ -212,8 +211,7 @@ TEST_CASE("Groups depend on the components only, not on their order")
     CAPTURE(seed);
     const Gaussians components = sphere(0.3, seed);
     Gaussians reversed(components.rbegin(), components.rend());
-    const Patch_groups a = groups_of(components),
-                       b = groups_of(reversed);
+    const Patch_groups a = groups_of(components), b = groups_of(reversed);
     REQUIRE(a.size() == b.size());
     for(std::size_t g = 0; g < a.size(); ++g) {
       const std::size_t other = b.group_of()[components.size() - 1 - *a[g].begin()];
@@ -265,8 +263,7 @@ TEST_CASE("Contraction keeps weight, mean, area and adjacency")
     CAPTURE(seed);
     const Gaussians components = sphere(0.4, seed);
     const Patches fine = patches_of(components);
-    const Patch_groups groups =
-      connected_groups(groups_of(components), fine);
+    const Patch_groups groups = connected_groups(groups_of(components), fine);
     REQUIRE(groups.size() < components.size() / 4);
     const Gaussians gaussians = contracted(components, groups, Concurrency::sequential);
     const Patches patches =
