@@ -5,13 +5,14 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_CURVE_CENTRE_CURVE_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/l1_median.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/quantile.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/cross_section.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/points_across.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/round_section.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/visit_around.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 
 #include <CGAL/number_utils.h>
@@ -24,7 +25,6 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -38,8 +38,8 @@ namespace internal {
 /// the cross-section is the target of the vertex. It is known from a few points only. There is no
 /// area if less than a third of the boundary was seen: where limbs join, vertices stay. In an open
 /// limb there is none if less than half was seen (a leaf), or if it is scattered (a twig in leaf).
-/// Then the target is the L1-median of the points of the cross-section, so that the curve stays on
-/// them, and the radius is their median distance from it. In between, the target is between both:
+/// Then the target is the L1-median of the points of the cross-section, moved onto the sheet that
+/// they are on, so that the curve stays on them, and the radius is their median distance from it. In between, the target is between both:
 /// it would jump from one to the other, and the curve would wave. If the points are on a circle,
 /// along half of a trunk, its centre is the target, in a limb that is not resolved, too. A limb is
 /// round or not along some length, so where one cross-section does not tell, those around it do:
@@ -187,7 +187,8 @@ private:
       return {vertex.position, in_space(section.center), weight, area_radius, true};
     if(points.size() < (vertex.is_on_line ? fewest_on_circle : 1) || !is_open(vertex))
       return not_drawn(v, radius);
-    const Points_across across = points_across(slab, vertex.resolution);
+    const Points_across across = points_across(slab, 1 - share_seen(weight), vertex.resolution,
+                                               options_.aligned);
     const bool is_round = across.round_share > 0;
     const double point_radius = (std::max)(vertex.resolution, across.spread);
     const auto mean = [share](const auto& of_points, const auto& of_area) {
@@ -200,7 +201,7 @@ private:
       result = {vertex.position, in_space(across.middle), 1, point_radius, false, !is_round,
                 across.spread};
     else
-      result = {vertex.position, in_space(mean(across.median, section.center)), mean(1., weight),
+      result = {vertex.position, in_space(mean(across.middle, section.center)), mean(1., weight),
                 mean(point_radius, area_radius), false, true};
     result.point_radius = point_radius;
     result.median = in_space(across.median);
@@ -212,39 +213,22 @@ private:
     return result;
   }
 
-  /// What the points of a cross-section tell.
-  struct Points_across
+  /// Whether points are around a cross-section, in [0, 1]: not at all if the gap of the boundary is
+  /// more than 180 degrees, wholly from 120 degrees on.
+  static double share_seen(double weight)
   {
-    Eigen::Vector2d median; ///< L1-median.
-    Eigen::Vector2d middle; ///< The same, or of a circle, as far as they are on one.
-    double round_share;     ///< How much this counts.
-    double spread;          ///< Their median distance from the middle.
-  };
-
-  /// \pre there are points
-  Points_across points_across(const Slab& slab, double resolution) const
-  {
-    const Round_section round = round_section(slab, options_.aligned);
-    const Eigen::Vector2d median =
-      l1_median(slab.across, (std::max)(0.1 * resolution, least_spacing));
-    const Eigen::Vector2d middle = median + round.share * (round.circle.center - median);
-    std::vector<double> distances;
-    for(const Eigen::Vector2d& p : slab.across)
-      distances.push_back((p - middle).norm());
-    return {median, middle, round.share, quantile(std::move(distances), 0.5)};
+    constexpr double half_seen = 1. / 3, mostly_seen = 2. / 3; // the weights with these gaps
+    return std::clamp((weight - half_seen) / (mostly_seen - half_seen), 0., 1.);
   }
 
   /// How much the area of a cross-section counts beside its points, in [0, 1]. In an open limb not
-  /// at all if it is scattered, or if the gap of the boundary is more than 180 degrees: the
-  /// centroid of what was seen would be beside its points; from 120 degrees on only the area does.
+  /// at all if it is scattered, or if points are not around it: the centroid of what was seen would
+  /// be beside them.
   double share_of_area(const Skeleton_graph::Vertex& vertex, double weight) const
   {
-    constexpr double half_seen = 1. / 3, mostly_seen = 2. / 3; // the weights with these gaps
     if(!is_open(vertex))
       return 1;
-    if(vertex.evidence < options_.limb_evidence)
-      return 0;
-    return std::clamp((weight - half_seen) / (mostly_seen - half_seen), 0., 1.);
+    return vertex.evidence < options_.limb_evidence ? 0 : share_seen(weight);
   }
 
   /// Ignores centroids outside the shape.
@@ -372,7 +356,7 @@ private:
     constexpr double slope = 0.5;
     double widest = 0;
     Slab result;
-    visit_around(v, [&](std::size_t u, double way) {
+    visit_around(graph_, adjacency_, v, [&](std::size_t u, double way) {
       const double least_width = way > half_width + reach * radius ? (way - half_width) / slope : 0;
       for(const Vector3& p : surface_[u]) {
         Vector3 d = p - graph_.vertices[v].position;
@@ -391,28 +375,6 @@ private:
       return least_width <= widest;
     });
     return result;
-  }
-
-  /// Calls `visit(u, way)` for vertices in the order of their distance along the graph, until it
-  /// returns false.
-  template <typename Visit>
-  void visit_around(std::size_t v, const Visit& visit) const
-  {
-    using Reached = std::pair<double, std::size_t>;
-    std::priority_queue<Reached, std::vector<Reached>, std::greater<Reached>> reached;
-    std::vector<std::size_t> visited;
-    reached.emplace(0, v);
-    while(!reached.empty()) {
-      const auto [way, u] = reached.top();
-      reached.pop();
-      if(std::find(visited.begin(), visited.end(), u) != visited.end())
-        continue;
-      visited.push_back(u);
-      if(!visit(u, way))
-        return;
-      for(std::size_t w : adjacency_[u])
-        reached.emplace(way + distance(u, w), w);
-    }
   }
 
   /// Calls `visit(w)` for the vertices from `v` through its neighbour `to` up to the first one at

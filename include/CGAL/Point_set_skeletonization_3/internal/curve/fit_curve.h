@@ -14,6 +14,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/doubled_tips.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/extend_open_tips.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/join_fragments.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/limb_curve.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/refine_curve.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/spread_of_limbs.h>
@@ -39,33 +40,20 @@ struct Surface_point
   Vector3 position;
 };
 
-/// Returns the vertex nearest to each sample. O(n log n). \pre there is a vertex
-inline std::vector<std::size_t> vertices_of_samples(const Skeleton_graph& graph,
-                                                    const Surface& surface, const Samples& samples,
-                                                    Concurrency concurrency)
-{
-  std::vector<Vector3> in_order; // samples next to each other in the tree are close
-  for(std::size_t i : surface.tree.order())
-    in_order.push_back(samples[i].position);
-  return surface.tree.by_index(
-    nearest_points(Box_tree(positions_of(graph)), in_order, concurrency));
-}
-
 /// Fits a skeleton graph to the surface: first `connect()`, then `centre()`, each once.
 class Curve_fitting
 {
 public:
   /// `points` are the surface points before denoising, and `noise`, in [0, 1], is its strength.
-  /// `is_outlier` says which samples are dropped already. Refers to all but the first two
-  /// arguments.
-  Curve_fitting(Skeleton_graph graph, std::vector<bool> is_outlier, const Surface& surface,
-                const Samples& samples, const std::vector<Surface_point>& points, double noise,
+  /// `is_outlier` says which samples are dropped already. Refers to all other arguments.
+  Curve_fitting(const Limb_curve& curve, std::vector<bool> is_outlier, const Surface& surface,
+                const std::vector<Surface_point>& points, double noise,
                 const Curve_options& options, Concurrency concurrency)
       : options_(options)
-      , graph_(std::move(graph))
+      , graph_(curve.graph)
       , is_outlier_(std::move(is_outlier))
       , surface_(surface)
-      , samples_(samples)
+      , samples_(curve.samples)
       , points_(points)
       , noise_(noise)
       , concurrency_(concurrency)
@@ -113,6 +101,16 @@ public:
   }
 
   const Skeleton_graph& graph() const { return graph_; }
+
+  /// The vertex nearest to each sample. O(n log n). \pre there is a vertex
+  std::vector<std::size_t> vertices_of_samples() const
+  {
+    std::vector<Vector3> in_order; // samples next to each other in the tree are close
+    for(std::size_t i : surface_.tree.order())
+      in_order.push_back(samples_[i].position);
+    return surface_.tree.by_index(
+      nearest_points(Box_tree(positions_of(graph_)), in_order, concurrency_));
+  }
 
   /// Whether each sample was dropped.
   const std::vector<bool>& is_outlier() const { return is_outlier_; }
@@ -231,12 +229,6 @@ private:
         radius = (std::max)(radius, (std::min)(1.0, 2 * noise_) *
                                       quantile(std::move(distances), 0.25));
     }
-  }
-
-  /// The vertex nearest to each sample.
-  std::vector<std::size_t> vertices_of_samples() const
-  {
-    return internal::vertices_of_samples(graph_, surface_, samples_, concurrency_);
   }
 
   /// The number of points of each vertex, without outliers.

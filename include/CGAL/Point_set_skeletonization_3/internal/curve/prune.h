@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -26,17 +27,29 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
+/// Instead of an index.
+constexpr std::size_t no_vertex = (std::numeric_limits<std::size_t>::max)();
+
+/// Returns the index of each vertex among those that are not removed; `no_vertex` for these. O(n).
+inline std::vector<std::size_t> indices_of_kept(const std::vector<bool>& removed)
+{
+  std::vector<std::size_t> result(removed.size(), no_vertex);
+  std::size_t kept = 0;
+  for(std::size_t v = 0; v < removed.size(); ++v)
+    if(!removed[v])
+      result[v] = kept++;
+  return result;
+}
+
 /// Returns the graph without the vertices marked `removed` and their edges, in the same order.
 /// O(n).
 inline Skeleton_graph without(const Skeleton_graph& graph, const std::vector<bool>& removed)
 {
-  std::vector<std::size_t> index(graph.vertices.size(), 0);
+  const std::vector<std::size_t> index = indices_of_kept(removed);
   Skeleton_graph result;
   for(std::size_t v = 0; v < graph.vertices.size(); ++v)
-    if(!removed[v]) {
-      index[v] = result.vertices.size();
+    if(!removed[v])
       result.vertices.push_back(graph.vertices[v]);
-    }
   for(const Skeleton_graph::Edge& e : graph.edges)
     if(!removed[e.first] && !removed[e.second])
       result.edges.emplace_back(index[e.first], index[e.second]);
@@ -72,7 +85,9 @@ inline void mark_caps(const Skeleton_graph& graph, Surface_parts parts, std::vec
 struct Pruned_quotient
 {
   Skeleton_graph graph;
-  std::vector<bool> is_stray; ///< For each vertex of the quotient: it consists of outliers.
+  // For each vertex of the quotient.
+  std::vector<bool> is_stray;         ///< It consists of outliers.
+  std::vector<std::size_t> vertex_of; ///< Of the graph; `no_vertex` if it was removed.
 };
 
 /// Part 3c: removes stray components, unless they may be fragments, spurs and caps. `components`
@@ -118,6 +133,7 @@ inline Pruned_quotient prune(const Surface_quotient& quotient, const Patches& pa
   }
   mark_caps(graph, std::move(parts), removed);
   result.graph = without(graph, removed);
+  result.vertex_of = indices_of_kept(removed);
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Blocks.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_evidence.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/handle_fronts.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/limb_curve.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/limb_evidence.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/line_trees.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/loose_ends.h>
@@ -37,8 +38,8 @@ namespace internal {
 /// The limbs of a shape and how they are connected.
 struct Limb_network
 {
-  Surface_quotient quotient;
-  Pruned_quotient pruned;
+  Limb_curve curve;
+  std::vector<bool> is_outlier; ///< For each sample.
 };
 
 /// How to read limbs that are not resolved (twigs of a few points across, limbs as thin as the
@@ -193,10 +194,15 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
     separators = without_idle(std::move(separators), with_loops_seen(std::move(quotient)));
     quotient = quotient_of();
   }
+  quotient = with_loops_seen(std::move(quotient));
+  const Pruned_quotient pruned = prune(quotient, surface.patches, overlaps.pairs(),
+                                       surface.components, surface.groups, options.curve);
   Limb_network result;
-  result.quotient = with_loops_seen(std::move(quotient));
-  result.pruned = prune(result.quotient, surface.patches, overlaps.pairs(), surface.components,
-                        surface.groups, options.curve);
+  // In a frame, what faces a strip is the other side of its limb, though nothing else joins them.
+  result.curve = is_frame ? Limb_curve{pruned.graph, samples}
+                          : limb_curve(quotient, pruned, surface, samples, concurrency);
+  for(std::size_t v : quotient.vertex_of_patch)
+    result.is_outlier.push_back(pruned.is_stray[v]);
   return result;
 }
 
@@ -221,7 +227,7 @@ inline std::vector<Limb_network> read_limbs(const Surface& surface, const Sample
   if(is_tree || !overlaps.has_unknown())
     return {read(overlaps, is_tree ? Limb_reading::known_tree : Limb_reading::frame)};
   std::vector<Limb_network> result(2);
-  const auto has_tips = [&] { return number_of_tips(result[0].pruned.graph) > 0; };
+  const auto has_tips = [&] { return number_of_tips(result[0].curve.graph) > 0; };
   parallel_invoke(
     concurrency, [&] { result[0] = read(overlaps, Limb_reading::frame); },
     [&] {

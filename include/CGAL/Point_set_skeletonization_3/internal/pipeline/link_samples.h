@@ -16,7 +16,6 @@
 
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -31,20 +30,6 @@ struct Linked_samples
   Skeleton_graph graph;
   std::vector<std::size_t> vertex_of_sample; ///< `none` for outliers.
 };
-
-/// Returns the curve of a network of limbs, as it is to be connected and centred. Refers to all
-/// arguments but the network. O(n).
-inline Curve_fitting curve_of(const Limb_network& network, const Surface& surface,
-                              const Samples& samples, double noise,
-                              const std::vector<Surface_point>& points,
-                              const Linking_options& options, Concurrency concurrency)
-{
-  std::vector<bool> is_outlier;
-  for(std::size_t v : network.quotient.vertex_of_patch)
-    is_outlier.push_back(network.pruned.is_stray[v]);
-  return {network.pruned.graph, std::move(is_outlier), surface,     samples, points, noise,
-          options.curve,        concurrency};
-}
 
 /// Whether the reading as a frame explains a shape: contacts and continuations close loops of
 /// most open limbs. If many of them are on no loop or left out, limbs end freely as in a tree, and
@@ -75,7 +60,8 @@ inline Linked_samples link_samples(const Surface& surface, const Samples& sample
     read_limbs(surface, samples, options, concurrency, progress.part(0, 0.7));
   std::vector<Curve_fitting> curves;
   for(const Limb_network& reading : readings)
-    curves.push_back(curve_of(reading, surface, samples, noise, points, options, concurrency));
+    curves.emplace_back(reading.curve, reading.is_outlier, surface, points, noise, options.curve,
+                        concurrency);
   Curve_fitting& frame = curves.front();
   Curve_fitting& tree = curves.back();
   const bool single_component = options.known.single_component;
@@ -90,7 +76,7 @@ inline Linked_samples link_samples(const Surface& surface, const Samples& sample
   progress(0.95);
   Linked_samples result;
   result.graph = curve.graph();
-  result.vertex_of_sample = vertices_of_samples(result.graph, surface, samples, concurrency);
+  result.vertex_of_sample = curve.vertices_of_samples();
   for(std::size_t i = 0; i < samples.size(); ++i)
     if(curve.is_outlier()[i])
       result.vertex_of_sample[i] = Linked_samples::none;
