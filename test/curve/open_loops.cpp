@@ -327,7 +327,8 @@ TEST_CASE("Of two ways through one limb the one that is no more than a thread is
     patches[v].components = v == 10 ? 1 : 20;
   }
   const auto opened = [&] {
-    return with_loops_opened(quotient.graph, strengths(quotient, patches, 6),
+    return with_loops_opened(quotient.graph,
+                             strengths(quotient.graph, components_of(quotient, patches), 6),
                              [](const Loop& loop) { return loop.size() > 4; });
   };
   CHECK(opened().edges.size() == 11);
@@ -336,6 +337,42 @@ TEST_CASE("Of two ways through one limb the one that is no more than a thread is
   quotient.graph.vertices[10].is_on_line = true; // there, no limb has more
   CHECK(has_edge(opened(), 0, 10));
   CHECK(has_edge(opened(), 10, 2));
+}
+
+TEST_CASE("Single points beside a limb that was seen from all sides close no loop")
+{
+  Skeleton_graph graph = polygon(12, 0.8);
+  Loop loop(graph.vertices.size());
+  std::iota(loop.begin(), loop.end(), std::size_t(0));
+  for(auto& vertex : graph.vertices)
+    vertex.is_cross_section = true;
+  const std::vector<double> tube(graph.vertices.size(), 20), wire(graph.vertices.size(), 1);
+  CHECK_FALSE(leads_through_row(loop, graph, tube));
+  CHECK_FALSE(leads_through_row(loop, graph, wire)); // nothing tells a limb from what is between
+  for(std::size_t start : {0, 5, 11}) { // wherever the loop begins
+    CAPTURE(start);
+    std::vector<double> components = tube;
+    const std::size_t next = (start + 1) % components.size(),
+                      before = (start + components.size() - 1) % components.size();
+    components[start] = 1;
+    CHECK(leads_through_row(loop, graph, components));
+    components[start] = 3; // a strip
+    CHECK_FALSE(leads_through_row(loop, graph, components));
+
+    components[start] = 1;
+    Skeleton_graph other = graph;
+    other.vertices[next].open = 1;
+    CHECK(leads_through_row(loop, other, components));
+    other.vertices[before].open = 1; // both limbs may have been seen in part only
+    CHECK_FALSE(leads_through_row(loop, other, components));
+
+    other = graph;
+    other.vertices[start].is_on_line = true;
+    CHECK_FALSE(leads_through_row(loop, other, components));
+    other = graph;
+    other.vertices[start].is_cross_section = false; // a piece may be small
+    CHECK_FALSE(leads_through_row(loop, other, components));
+  }
 }
 
 TEST_CASE("Of two loops with a common side each is judged alone, and all stays connected")

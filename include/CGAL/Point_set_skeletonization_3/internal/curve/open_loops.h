@@ -112,6 +112,28 @@ inline double room_for_hole(const Loop& loop, const Skeleton_graph& graph)
                    : std::numeric_limits<double>::infinity();
 }
 
+/// Whether a loop leaves a limb that was seen from all sides through a row of single components. Those
+/// are what a scanner sees between two limbs, when its beam meets both: a limb does not become that
+/// thin and then thick again, and what is hidden of one leaves a strip or a gap. A row between strips
+/// may be the rest of a limb of which little was seen. O(length of the loop).
+/// \param components their number at each vertex
+inline bool leads_through_row(const Loop& loop, const Skeleton_graph& graph,
+                              const std::vector<double>& components)
+{
+  Loop sections; // on a line of points every point is one
+  for(std::size_t v : loop)
+    if(graph.vertices[v].is_cross_section && !graph.vertices[v].is_on_line)
+      sections.push_back(v);
+  bool result = false;
+  visit_edges(sections, [&](std::size_t v, std::size_t w) {
+    const auto [thin, thick] = std::minmax(
+      {v, w}, [&](std::size_t a, std::size_t b) { return components[a] < components[b]; });
+    result = result || (components[thin] <= 1 && components[thick] > 1 &&
+                        !is_open(graph.vertices[thick]));
+  });
+  return result;
+}
+
 /// Returns the edges of a loop with their smaller ends first, in ascending order. O(n log n).
 inline std::vector<Skeleton_graph::Edge> sorted_edges(const Loop& loop)
 {

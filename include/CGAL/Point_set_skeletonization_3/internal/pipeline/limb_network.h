@@ -66,22 +66,34 @@ inline bool is_loop(const Loop& loop, const Skeleton_graph& graph, Limb_reading 
   return share * room_for_hole(loop, graph) >= 1;
 }
 
+/// Returns the number of components at each vertex. O(patches).
+inline std::vector<double> components_of(const Surface_quotient& quotient, const Patches& patches)
+{
+  std::vector<double> result;
+  for(const std::vector<std::size_t>& members : quotient.members) {
+    double components = 0;
+    for(std::size_t i : members)
+      components += static_cast<double>(patches[i].components);
+    result.push_back(components);
+  }
+  return result;
+}
+
 /// Returns how well each vertex was seen to be in a limb: its evidence, less for a cross-section
 /// with fewer components than go around any limb (`Curve_options::least_points`). Such a thread
 /// is pruned, so of two ways through one limb it must not be the one that is left. On a line of
-/// points every point is a cross-section. O(patches).
-inline std::vector<double> strengths(const Surface_quotient& quotient, const Patches& patches,
-                                     double least_points)
+/// points every point is a cross-section. O(n).
+/// \param components `components_of()`
+inline std::vector<double> strengths(const Skeleton_graph& graph,
+                                     const std::vector<double>& components, double least_points)
 {
   std::vector<double> result;
-  for(std::size_t v = 0; v < quotient.members.size(); ++v) {
-    const Skeleton_graph::Vertex& vertex = quotient.graph.vertices[v];
-    double components = 0;
-    for(std::size_t i : quotient.members[v])
-      components += static_cast<double>(patches[i].components);
+  for(std::size_t v = 0; v < components.size(); ++v) {
+    const Skeleton_graph::Vertex& vertex = graph.vertices[v];
     const bool is_thread =
-      vertex.is_cross_section && !vertex.is_on_line && components < least_points;
-    result.push_back(is_thread ? vertex.evidence * components / least_points : vertex.evidence);
+      vertex.is_cross_section && !vertex.is_on_line && components[v] < least_points;
+    result.push_back(is_thread ? vertex.evidence * components[v] / least_points
+                               : vertex.evidence);
   }
   return result;
 }
@@ -181,10 +193,12 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
   };
   const auto with_loops_seen = [&](Surface_quotient quotient) {
     set_evidence(quotient, surface, samples, is_frame ? Strip::side : Strip::leaf, concurrency);
+    const std::vector<double> components = components_of(quotient, surface.patches);
     quotient.graph = with_loops_opened(
-      quotient.graph, strengths(quotient, surface.patches, options.curve.least_points),
+      quotient.graph, strengths(quotient.graph, components, options.curve.least_points),
       [&](const Loop& loop) {
-        return is_loop(loop, quotient.graph, reading, options.curve.limb_evidence);
+        return is_loop(loop, quotient.graph, reading, options.curve.limb_evidence) &&
+               !leads_through_row(loop, quotient.graph, components);
       });
     return quotient;
   };
