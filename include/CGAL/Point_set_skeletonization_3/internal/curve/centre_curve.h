@@ -39,12 +39,12 @@ namespace internal {
 /// area if less than a third of the boundary was seen: where limbs join, vertices stay. In an open
 /// limb there is none if less than half was seen (a leaf), or if it is scattered (a twig in leaf).
 /// Then the target is the L1-median of the points of the cross-section, moved onto the sheet that
-/// they are on, so that the curve stays on them, and the radius is their median distance from it. In between, the target is between both:
-/// it would jump from one to the other, and the curve would wave. If the points are on a circle,
-/// along half of a trunk, its centre is the target, in a limb that is not resolved, too. A limb is
-/// round or not along some length, so where one cross-section does not tell, those around it do:
-/// the curve would go from the axis to the points and back. Medians that would fold the curve are
-/// ignored.
+/// they are on, so that the curve stays on them, and the radius is their median distance from it. In
+/// between, the target is between both: it would jump from one to the other, and the curve would
+/// wave. If the points are on a circle, along half of a trunk, its centre is the target, in a limb
+/// that is not resolved, too. A limb is round or not along some length, so where one cross-section
+/// does not tell, those around it do: the curve would go from the axis to the points and back.
+/// Medians that would fold the curve are ignored.
 /// The positions x minimise the squared distances to the targets plus a bending energy,
 ///
 ///     sum w |x - c|^2 + sum (l / h)^4 |second difference of x|^2

@@ -32,7 +32,8 @@ struct Points_across
 
 /// Returns the mean of the quarter of some points that is nearest to a place, which is on the sheet
 /// that they are on, if it is bent: with a quarter as wide, an arc is off its mean by a sixteenth of
-/// what it was. The place itself if a quarter is less than a dozen: their mean tells no more. O(n).
+/// what it was. The place itself if a quarter is less than a dozen: their mean tells no more.
+/// O(n log n).
 inline Eigen::Vector2d moved_to_sheet(const Eigen::Vector2d& place,
                                       const std::vector<Eigen::Vector2d>& points)
 {
