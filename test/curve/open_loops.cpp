@@ -7,6 +7,7 @@
 #include "surface_of.h"
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/limb_evidence.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/open_loops.h>
 #include <CGAL/Point_set_skeletonization_3/internal/pipeline/limb_network.h>
@@ -339,39 +340,60 @@ TEST_CASE("Of two ways through one limb the one that is no more than a thread is
   CHECK(has_edge(opened(), 10, 2));
 }
 
-TEST_CASE("Single points beside a limb that was seen from all sides close no loop")
+TEST_CASE("Points across, between limbs that were seen from all sides, close no loop")
 {
-  Skeleton_graph graph = polygon(12, 0.8);
-  Loop loop(graph.vertices.size());
-  std::iota(loop.begin(), loop.end(), std::size_t(0));
+  // Two limbs side by side; vertex 5 is between their ends, 11 between the other ones.
+  Skeleton_graph graph;
+  graph.vertices.resize(12);
+  for(std::size_t k = 0; k < 5; ++k) {
+    graph.vertices[k].position = {0, 4 - static_cast<double>(k), 0};
+    graph.vertices[6 + k].position = {2, static_cast<double>(k), 0};
+  }
+  graph.vertices[5].position = {1, 0, 0};
+  graph.vertices[11].position = {1, 4, 0};
   for(auto& vertex : graph.vertices)
     vertex.is_cross_section = true;
+  Loop loop(graph.vertices.size());
+  std::iota(loop.begin(), loop.end(), std::size_t(0));
   const std::vector<double> tube(graph.vertices.size(), 20), wire(graph.vertices.size(), 1);
-  CHECK_FALSE(leads_through_row(loop, graph, tube));
-  CHECK_FALSE(leads_through_row(loop, graph, wire)); // nothing tells a limb from what is between
-  for(std::size_t start : {0, 5, 11}) { // wherever the loop begins
-    CAPTURE(start);
+  const Curve_options options;
+  const auto is_row = [&](const Skeleton_graph& shape, const std::vector<double>& components) {
+    return leads_through_row(loop, shape, components, options);
+  };
+  for(std::size_t start = 0; start < loop.size(); ++start) { // wherever the loop begins
+    CAPTURE(loop.front());
+    CHECK_FALSE(is_row(graph, tube));
+    CHECK_FALSE(is_row(graph, wire)); // nothing tells a limb from what is between
+
     std::vector<double> components = tube;
-    const std::size_t next = (start + 1) % components.size(),
-                      before = (start + components.size() - 1) % components.size();
-    components[start] = 1;
-    CHECK(leads_through_row(loop, graph, components));
-    components[start] = 3; // a strip
-    CHECK_FALSE(leads_through_row(loop, graph, components));
+    components[2] = 1; // the way along one limb
+    CHECK_FALSE(is_row(graph, components));
+    components = tube;
+    components[5] = 3; // a strip
+    CHECK_FALSE(is_row(graph, components));
+    components[5] = 1;
+    CHECK(is_row(graph, components));
+    components[4] = components[6] = 3; // a longer row, a single point in the middle
+    CHECK(is_row(graph, components));
+    components[5] = 3;
+    components[6] = 1; // at its end
+    CHECK(is_row(graph, components));
 
-    components[start] = 1;
+    components = tube;
+    components[5] = 1;
     Skeleton_graph other = graph;
-    other.vertices[next].open = 1;
-    CHECK(leads_through_row(loop, other, components));
-    other.vertices[before].open = 1; // both limbs may have been seen in part only
-    CHECK_FALSE(leads_through_row(loop, other, components));
+    other.vertices[4].open = 1;
+    CHECK(is_row(other, components));
+    other.vertices[6].open = 1; // both limbs may have been seen in part only
+    CHECK_FALSE(is_row(other, components));
 
     other = graph;
-    other.vertices[start].is_on_line = true;
-    CHECK_FALSE(leads_through_row(loop, other, components));
+    other.vertices[5].is_on_line = true;
+    CHECK_FALSE(is_row(other, components));
     other = graph;
-    other.vertices[start].is_cross_section = false; // a piece may be small
-    CHECK_FALSE(leads_through_row(loop, other, components));
+    other.vertices[5].is_cross_section = false; // a piece may be small
+    CHECK_FALSE(is_row(other, components));
+    std::rotate(loop.begin(), loop.begin() + 1, loop.end());
   }
 }
 

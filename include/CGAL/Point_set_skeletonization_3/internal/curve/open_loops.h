@@ -6,9 +6,11 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Union_find.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_evidence.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -112,26 +114,46 @@ inline double room_for_hole(const Loop& loop, const Skeleton_graph& graph)
                    : std::numeric_limits<double>::infinity();
 }
 
-/// Whether a loop leaves a limb that was seen from all sides through a row of single components. Those
-/// are what a scanner sees between two limbs, when its beam meets both: a limb does not become that
-/// thin and then thick again, and what is hidden of one leaves a strip or a gap. A row between strips
-/// may be the rest of a limb of which little was seen. O(length of the loop).
+/// Whether a loop leads from a limb that was seen from all sides, or to one, through a row of points
+/// that runs alongside neither limb. Those are what a scanner sees between two limbs, when its beam
+/// meets both: a limb does not become as thin as a point and then thick again, and what is hidden of
+/// one leaves a strip or a gap. Between open limbs the row may be the rest of one of which little
+/// was seen, and along a limb it may be all of it that is not hidden. O(length of the loop).
 /// \param components their number at each vertex
+/// \param options `aligned`; cross-sections of fewer than `least_points` components are in a row
 inline bool leads_through_row(const Loop& loop, const Skeleton_graph& graph,
-                              const std::vector<double>& components)
+                              const std::vector<double>& components, const Curve_options& options)
 {
   Loop sections; // on a line of points every point is one
   for(std::size_t v : loop)
     if(graph.vertices[v].is_cross_section && !graph.vertices[v].is_on_line)
       sections.push_back(v);
-  bool result = false;
-  visit_edges(sections, [&](std::size_t v, std::size_t w) {
-    const auto [thin, thick] = std::minmax(
-      {v, w}, [&](std::size_t a, std::size_t b) { return components[a] < components[b]; });
-    result = result || (components[thin] <= 1 && components[thick] > 1 &&
-                        !is_open(graph.vertices[thick]));
-  });
-  return result;
+  const std::size_t size = sections.size();
+  const auto section = [&](std::size_t k) { return sections[k % size]; };
+  const auto is_thin = [&](std::size_t k) {
+    return components[section(k)] < options.least_points;
+  };
+  const auto way = [&](std::size_t k, std::size_t l) -> Vector3 {
+    return graph.vertices[section(l)].position - graph.vertices[section(k)].position;
+  };
+  for(std::size_t first = 0; first < size; ++first) {
+    if(is_thin(first) || !is_thin(first + 1))
+      continue;
+    double fewest = components[section(first + 1)];
+    std::size_t last = first + 2; // the next limb, at most the same again
+    for(; is_thin(last); ++last)
+      fewest = (std::min)(fewest, components[section(last)]);
+    const Vector3 row = way(first, last);
+    const auto is_alongside = [&](const Vector3& limb) {
+      return std::abs(limb.dot(row)) >= options.aligned * limb.norm() * row.norm();
+    };
+    const bool is_open_at_both =
+      is_open(graph.vertices[section(first)]) && is_open(graph.vertices[section(last)]);
+    if(fewest <= 1 && !is_open_at_both && !is_alongside(way(first + size - 1, first)) &&
+       !is_alongside(way(last, last + 1)))
+      return true;
+  }
+  return false;
 }
 
 /// Returns the edges of a loop with their smaller ends first, in ascending order. O(n log n).

@@ -198,7 +198,7 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
       quotient.graph, strengths(quotient.graph, components, options.curve.least_points),
       [&](const Loop& loop) {
         return is_loop(loop, quotient.graph, reading, options.curve.limb_evidence) &&
-               !leads_through_row(loop, quotient.graph, components);
+               !leads_through_row(loop, quotient.graph, components, options.curve);
       });
     return quotient;
   };
