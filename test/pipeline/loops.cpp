@@ -284,12 +284,12 @@ TEST_CASE("In a frame, hardly anything that was not seen from all sides is on no
   const auto tree = [](std::size_t tail, double open) { return ring_with_tail(tail, open, false); };
   const double noise = GENERATE(0, 0.4, 1);
   const CGAL::Point_set_skeletonization_3::internal::Linking_options options;
-  CHECK(is_frame(frame(0, 1), tree(0, 1), noise, options));
-  CHECK(is_frame(frame(4, 1), tree(4, 1), noise, options));
-  CHECK_FALSE(is_frame(frame(5, 1), tree(5, 1), noise, options));
-  CHECK(is_frame(frame(100, 0), tree(100, 0), noise, options)); // a limb seen from all sides
-  CHECK_FALSE(is_frame(frame(4, 1), tree(40, 1), noise, options)); // the frame left twigs out
-  CHECK(is_frame(frame(0, 1), tree(40, 1), noise, options)); // nothing of it is loose
+  CHECK(is_frame(frame(0, 1), tree(0, 1), noise, 1, options));
+  CHECK(is_frame(frame(4, 1), tree(4, 1), noise, 1, options));
+  CHECK_FALSE(is_frame(frame(5, 1), tree(5, 1), noise, 1, options));
+  CHECK(is_frame(frame(100, 0), tree(100, 0), noise, 1, options)); // a limb seen from all sides
+  CHECK_FALSE(is_frame(frame(4, 1), tree(40, 1), noise, 1, options)); // the frame left twigs out
+  CHECK(is_frame(frame(0, 1), tree(40, 1), noise, 1, options)); // nothing of it is loose
 }
 
 TEST_CASE("A frame with no more loops than the tree is kept with noise")
@@ -298,11 +298,30 @@ TEST_CASE("A frame with no more loops than the tree is kept with noise")
   const CGAL::Point_set_skeletonization_3::internal::Linking_options options;
   for(const bool is_closed : {false, true}) {
     const Skeleton_graph graph = ring_with_tail(9, 1, is_closed);
-    CHECK_FALSE(is_frame(graph, graph, 0, options)); // a third is loose, or all
-    CHECK(is_frame(graph, graph, 1, options));
+    CHECK_FALSE(is_frame(graph, graph, 0, 1, options)); // a third is loose, or all
+    CHECK(is_frame(graph, graph, 1, 1, options));
   }
-  CHECK_FALSE(is_frame(ring_with_tail(9, 1, true), ring_with_tail(9, 1, false), 1, options));
-  CHECK(is_frame(ring_with_tail(9, 1, false), ring_with_tail(9, 1, true), 1, options));
+  CHECK_FALSE(is_frame(ring_with_tail(9, 1, true), ring_with_tail(9, 1, false), 1, 1, options));
+  CHECK(is_frame(ring_with_tail(9, 1, false), ring_with_tail(9, 1, true), 1, 1, options));
+}
+
+TEST_CASE("In a frame of resolved strips, most of what was not seen from all sides is on loops")
+{
+  using CGAL::Point_set_skeletonization_3::internal::is_frame;
+  const CGAL::Point_set_skeletonization_3::internal::Linking_options options;
+  const double noise = 0;
+  const auto is_frame_of = [&](std::size_t tail, double unresolved, double open) {
+    Skeleton_graph frame = ring_with_tail(tail, 1, true), tree = ring_with_tail(tail, 1, false);
+    for(Skeleton_graph* graph : {&frame, &tree})
+      for(auto& vertex : graph->vertices)
+        vertex.open *= open;
+    return is_frame(frame, tree, noise, unresolved, options);
+  };
+  CHECK(is_frame_of(9, 0, 1)); // a third is loose
+  CHECK(is_frame_of(9, 0.2, 1));
+  CHECK_FALSE(is_frame_of(9, 0.3, 1));
+  CHECK_FALSE(is_frame_of(30, 0, 1)); // more than half
+  CHECK_FALSE(is_frame_of(9, 0, 0.4)); // most of it was seen from all sides
 }
 
 TEST_CASE("A bare circle is a loop")

@@ -199,6 +199,17 @@ struct Unresolved_limbs
 {
   std::vector<bool> is_of_twig; ///< Of twigs thinner than the spacing, in a cloud of such.
   std::vector<bool> is_loose;   ///< Of others.
+
+  /// Of all patches; 0 if there are none. O(patches).
+  double share() const
+  {
+    std::size_t unresolved = 0;
+    for(std::size_t i = 0; i < is_loose.size(); ++i)
+      unresolved += is_of_twig[i] || is_loose[i] ? 1 : 0;
+    return is_loose.empty()
+             ? 0
+             : static_cast<double>(unresolved) / static_cast<double>(is_loose.size());
+  }
 };
 
 /// Divides unresolved patches into those of twigs and others. Twigs are told by their dimension, in

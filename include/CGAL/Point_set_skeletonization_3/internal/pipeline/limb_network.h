@@ -40,6 +40,8 @@ struct Limb_network
 {
   Limb_curve curve;
   std::vector<bool> is_outlier; ///< For each sample.
+  double unresolved = 0; ///< Share of the patches that are in no resolved limb; 0 in a frame, in
+                         ///< which none are told.
 };
 
 /// How to read limbs that are not resolved (twigs of a few points across, limbs as thin as the
@@ -212,6 +214,7 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
   const Pruned_quotient pruned = prune(quotient, surface.patches, overlaps.pairs(),
                                        surface.components, surface.groups, options.curve);
   Limb_network result;
+  result.unresolved = unresolved.share();
   // In a frame, what faces a strip is the other side of its limb, though nothing else joins them.
   result.curve = is_frame ? Limb_curve{pruned.graph, samples}
                           : limb_curve(quotient, pruned, surface, samples, concurrency);

@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Progress.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_evidence.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/fit_curve.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/loose_ends.h>
@@ -14,6 +15,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/pipeline/limb_network.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -32,16 +34,26 @@ struct Linked_samples
 };
 
 /// Whether the reading as a frame explains a shape: contacts and continuations close loops of
-/// most open limbs. If many of them are on no loop or left out, limbs end freely as in a tree, and
-/// what touches does so by accident. Limbs that were seen from all sides say nothing about others.
+/// nearly all open limbs. If many of them are on no loop or left out, limbs end freely as in a tree,
+/// and what touches does so by accident. Limbs that were seen from all sides say nothing about
+/// others. Of strips that are resolved less is enough: they end where the scanner saw no further,
+/// and what touches is adjacent along a border. If most of the shape is of such limbs, and most of
+/// these are resolved and on loops, it is a frame.
+///
 /// Where noise hides the other sides, a frame with no more loops is kept nevertheless: what tells
 /// limbs apart in a tree is how coplanar patches are, which noise spoils. O(n log n).
 /// \param noise strength of the noise removed, in [0, 1]
+/// \param unresolved share of the patches that are in no resolved limb, in [0, 1]
 inline bool is_frame(const Skeleton_graph& frame, const Skeleton_graph& tree, double noise,
-                     const Linking_options& options)
+                     double unresolved, const Linking_options& options)
 {
-  return (noise > options.much_noise && number_of_loops(frame) <= number_of_loops(tree)) ||
-         loose_open_share(frame, tree) < options.loose_share;
+  constexpr double most = 0.5;
+  if(noise > options.much_noise && number_of_loops(frame) <= number_of_loops(tree))
+    return true;
+  const double loose = loose_open_share(frame, tree);
+  const double on_loops = (std::max)(0.0, 1 - loose);
+  return loose < options.loose_share ||
+         (evidence_along(frame).is_open() && (1 - unresolved) * on_loops > most);
 }
 
 /// Stage 3: returns the curve skeleton of samples. O(n log n) in practice.
@@ -71,7 +83,9 @@ inline Linked_samples link_samples(const Surface& surface, const Samples& sample
     parallel_invoke(
       concurrency, [&] { frame.connect(true, single_component); },
       [&] { tree.connect(false, single_component); });
-  Curve_fitting& curve = is_frame(frame.graph(), tree.graph(), noise, options) ? frame : tree;
+  Curve_fitting& curve =
+    is_frame(frame.graph(), tree.graph(), noise, readings.back().unresolved, options) ? frame
+                                                                                      : tree;
   curve.centre();
   progress(0.95);
   Linked_samples result;
