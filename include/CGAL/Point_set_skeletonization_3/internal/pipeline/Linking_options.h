@@ -23,7 +23,7 @@ struct Linking_options
   /// Share of the length of open limbs that is on no loop in the reading as a frame, in (0, 1):
   /// with less, it is a frame. Wire frames leave up to 0.16 where gaps are not bridged, sparse
   /// trees of a few hundred points 0.21 and more, crowns in leaf 0.25, scanned trees 0.28, plants
-  /// 0.65. See `loose_open_share()`.
+  /// 0.47. See `loose_open_share()`, and `is_frame()` for strips that are resolved.
   double loose_share = 0.2;
 
   /// Strength of the noise, in (0, 1), above which it spoils how coplanar patches are.

@@ -15,7 +15,6 @@
 #include <CGAL/Point_set_skeletonization_3/internal/pipeline/limb_network.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -51,9 +50,8 @@ inline bool is_frame(const Skeleton_graph& frame, const Skeleton_graph& tree, do
   if(noise > options.much_noise && number_of_loops(frame) <= number_of_loops(tree))
     return true;
   const double loose = loose_open_share(frame, tree);
-  const double on_loops = (std::max)(0.0, 1 - loose);
   return loose < options.loose_share ||
-         (evidence_along(frame).is_open() && (1 - unresolved) * on_loops > most);
+         (evidence_along(frame).is_open() && (1 - unresolved) * (1 - loose) > most);
 }
 
 /// Stage 3: returns the curve skeleton of samples. O(n log n) in practice.
