@@ -10,6 +10,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Curve_options.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Measured_components.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/bridge_gaps.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/continue_limbs.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/join_fragments.h>
 
@@ -41,13 +42,15 @@ Skeleton_graph::Vertex vertex_at(const Vector3& position, double open)
 }
 
 /// Adds a line of vertices.
-void add_line(Skeleton_graph& graph, const Vector3& from, const Vector3& to, double open)
+void add_line(Skeleton_graph& graph, const Vector3& from, const Vector3& to, double open,
+              double spacing = step)
 {
-  const int edges = static_cast<int>(std::round((to - from).norm() / step));
+  const int edges = static_cast<int>(std::round((to - from).norm() / spacing));
   for(int k = 0; k <= edges; ++k) {
     if(k > 0)
       graph.edges.emplace_back(graph.vertices.size() - 1, graph.vertices.size());
     graph.vertices.push_back(vertex_at(from + k * (to - from) / edges, open));
+    graph.vertices.back().resolution = spacing;
   }
 }
 
@@ -81,10 +84,13 @@ Skeleton_graph arc(double missing, double open, double evidence)
   return graph;
 }
 
-/// The surface points of vertices that have none.
-std::vector<std::vector<Vector3>> nothing(const Skeleton_graph& graph)
+/// Surface points of vertices: one at each.
+std::vector<std::vector<Vector3>> one_each(const Skeleton_graph& graph)
 {
-  return std::vector<std::vector<Vector3>>(graph.vertices.size());
+  std::vector<std::vector<Vector3>> result;
+  for(const Skeleton_graph::Vertex& vertex : graph.vertices)
+    result.push_back({vertex.position});
+  return result;
 }
 
 std::size_t number_of_components(const Skeleton_graph& graph)
@@ -98,7 +104,7 @@ std::size_t number_of_components(const Skeleton_graph& graph)
 
 std::size_t loops_of_continued(Skeleton_graph graph)
 {
-  continue_limbs(graph, nothing(graph), Curve_options());
+  continue_limbs(graph, one_each(graph), Curve_options());
   return graph.edges.size() + number_of_components(graph) - graph.vertices.size();
 }
 
@@ -110,7 +116,7 @@ std::size_t joined(double length, double gap, double other, double seen)
   add_line(graph, Vector3(-length, 0, 0), Vector3(0, 0, 0), 1);
   const std::size_t tip = graph.vertices.size() - 1;
   add_line(graph, Vector3(gap, 0, 0), Vector3(gap + other, 0, 0), 1);
-  std::vector<std::vector<Vector3>> points = nothing(graph);
+  std::vector<std::vector<Vector3>> points = one_each(graph);
   points[tip].assign(3, Vector3(seen, 0, 0));
   points[tip + 1].assign(3, Vector3(gap - seen, 0, 0));
   const std::size_t before = number_of_components(graph);
@@ -231,7 +237,7 @@ TEST_CASE("Two limbs over a gap are judged as one: together they have evidence o
     add_line(graph, Vector3(0.2, 0, 0), Vector3(0.6, 0, 0), 1);
     for(std::size_t v = 0; v < other; ++v)
       graph.vertices[v].evidence = evidence; // the other has 1
-    continue_limbs(graph, nothing(graph), Curve_options());
+    continue_limbs(graph, one_each(graph), Curve_options());
     CHECK(Measured_components(graph, std::vector<double>(graph.vertices.size(), 1))
             .are_connected(0, other) == (evidence + 1 > 2 * Curve_options().limb_evidence));
   }
@@ -261,7 +267,7 @@ TEST_CASE("A limb ends within the gap of another")
   add_line(graph, Vector3(0.4, 0, 0), Vector3(1.4, 0, 0), 1);
   const std::size_t third = graph.vertices.size();
   add_line(graph, Vector3(0.2, 0.05, 0), Vector3(0.2, 1, 0), 1);
-  continue_limbs(graph, nothing(graph), Curve_options());
+  continue_limbs(graph, one_each(graph), Curve_options());
   const auto adjacency = graph.adjacency();
   REQUIRE(adjacency[third].size() == 2);
   const Vector3 end = graph.vertices[adjacency[third][1]].position;
@@ -277,12 +283,51 @@ TEST_CASE("A limb goes on to the limb that it points at, not to one beside it")
   add_line(graph, Vector3(1.3, -1, 0), Vector3(1.3, 1, 0), 1); // in front
   add_line(graph, Vector3(0, 0.2, 0), Vector3(1, 0.2, 0), 1); // beside, and in front of the same
   const std::size_t before = graph.edges.size();
-  continue_limbs(graph, nothing(graph), Curve_options());
+  continue_limbs(graph, one_each(graph), Curve_options());
   REQUIRE(graph.edges.size() == before + 2);
   for(std::size_t e = before; e < graph.edges.size(); ++e) {
     const auto [a, b] = graph.edges[e];
     CHECK(graph.vertices[a].position.x() == 1);
     CHECK(graph.vertices[b].position.x() == 1.3);
+  }
+}
+
+TEST_CASE("A few points in the air are no limb that reaches as far as from each to the next")
+{
+  for(const double spacing : {step, 10 * step}) { // 31 points, or 4
+    CAPTURE(spacing);
+    Skeleton_graph graph;
+    add_line(graph, Vector3(-2, 0, 0), Vector3(2, 0, 0), 1);
+    const std::size_t row = graph.vertices.size();
+    add_line(graph, Vector3(0, 0.25, 0), Vector3(0, 0.55, 0), 1, spacing);
+    const std::vector<double> points(graph.vertices.size(), 1);
+    const bool is_limb = spacing == step;
+    const auto is_joined = [&](const Skeleton_graph& result) {
+      return Measured_components(result, points).are_connected(0, row);
+    };
+    Skeleton_graph result = graph;
+    continue_limbs(result, one_each(graph), Curve_options());
+    CHECK(is_joined(result) == is_limb);
+    result = graph;
+    join_fragments(result, points, Curve_options());
+    CHECK(is_joined(result) == is_limb);
+    result = graph;
+    bridge_gaps(result, one_each(graph), Curve_options());
+    CHECK_FALSE(is_joined(result));
+  }
+}
+
+TEST_CASE("No limb goes on in the wall of what was seen from all sides")
+{
+  for(const double open : {0.0, 1.0}) {
+    CAPTURE(open);
+    Skeleton_graph graph;
+    add_line(graph, Vector3(0, -1, 0), Vector3(0, 1, 0), open);
+    const std::size_t other = graph.vertices.size();
+    add_line(graph, Vector3(0.3, 0, 0), Vector3(1, 0, 0), 1);
+    continue_limbs(graph, one_each(graph), Curve_options());
+    CHECK(Measured_components(graph, std::vector<double>(graph.vertices.size(), 1))
+            .are_connected(0, other) == (open == 1));
   }
 }
 

@@ -37,6 +37,14 @@ inline Bridge bridge(std::size_t v, std::size_t w, const Skeleton_graph& graph)
   return {v, w, (graph.vertices[v].position - graph.vertices[w].position).norm()};
 }
 
+/// How long a limb is of which some points were seen, if they are as dense as those of vertex `w`,
+/// at which it goes on. A few points in the air, far from each other, are no limb as long as they
+/// are apart.
+inline double length_seen(double points, std::size_t w, const Skeleton_graph& graph)
+{
+  return points * graph.vertices[w].resolution;
+}
+
 /// Returns the connected components as sets of vertices. O(n).
 inline Union_find components_of(const Skeleton_graph& graph)
 {

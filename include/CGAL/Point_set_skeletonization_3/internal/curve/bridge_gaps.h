@@ -25,7 +25,7 @@ namespace internal {
 ///
 /// A bridge leads from a tip to another tip or to a vertex of another component. It is plausible if
 /// it is not much longer than the limb is thick and the tip points along it; between two tips, both
-/// must.
+/// must. Of each of the two components more was seen than is missing.
 class Bridging
 {
 public:
@@ -37,10 +37,12 @@ public:
       , adjacency_(graph.adjacency())
       , surface_(surface)
       , extent_(graph.vertices.size(), 0)
+      , points_(graph.vertices.size(), 0)
   {
     Union_find components = components_of(graph);
     for(std::size_t v = 0; v < surface_.size(); ++v) {
       component_.push_back(components.find(v));
+      points_[component_[v]] += static_cast<double>(surface_[v].size());
       for(const Vector3& p : surface_[v])
         extent_[v] = (std::max)(extent_[v], (p - graph.vertices[v].position).norm());
     }
@@ -108,14 +110,22 @@ private:
            (std::max)({tip.radius, radius, options_.thin_limb * tip.resolution});
   }
 
+  /// How much was seen of the component of `v`, if it goes on at `w`.
+  double seen(std::size_t v, std::size_t w) const
+  {
+    return length_seen(points_[component_[v]], w, graph_);
+  }
+
   /// Whether a bridge from a tip to vertex `w` is plausible.
   bool is_plausible(std::size_t end, std::size_t w) const
   {
     const Skeleton_graph::Vertex& tip = graph_.vertices[end];
-    if(tip.radius < options_.thin_limb * tip.resolution && is_gap_below(thin_gap(end), end, w))
+    const double most = (std::min)(seen(end, w), seen(w, end));
+    if(tip.radius < options_.thin_limb * tip.resolution &&
+       is_gap_below((std::min)(most, thin_gap(end)), end, w))
       return true;
     return points_at(end, w) && (adjacency_[w].size() != 1 || points_at(w, end)) &&
-           is_gap_below(widest_gap(end, graph_.vertices[w].radius), end, w);
+           is_gap_below((std::min)(most, widest_gap(end, graph_.vertices[w].radius)), end, w);
   }
 
   const Curve_options& options_;
@@ -124,6 +134,7 @@ private:
   const std::vector<std::vector<Vector3>>& surface_;
   std::vector<double> extent_; ///< Greatest distance of the surface points of each vertex.
   std::vector<std::size_t> component_; ///< Of each vertex.
+  std::vector<double> points_;         ///< At each component: the number of its surface points.
 };
 
 /// Part 3d: adds plausible bridges between components, the shorter first, see `Bridging`.

@@ -35,7 +35,7 @@ public:
   {
     for(std::size_t v = 0; v < adjacency_.size(); ++v)
       if(is_tip(v))
-        limbs_[v] = limb(v, surface[v]);
+        limbs_[v] = limb(v, surface);
   }
 
   /// Adds the bridges, at most one from each tip, the shorter first: those between two tips, which
@@ -69,20 +69,23 @@ private:
   {
     Branch branch;
     Vector3 direction = Vector3::Zero();
-    double reach = 0; ///< How far its points lie beyond the tip.
+    double points = 0; ///< Their number.
+    double reach = 0; ///< How far they lie beyond the tip.
     Curve_evidence curve;
 
     /// The length along which it was seen.
     double length() const { return curve.length() + reach; }
   };
 
-  /// The limb of a tip with some surface points.
-  Limb limb(std::size_t tip, const std::vector<Vector3>& points) const
+  /// The limb of a tip. `surface[v]` are the surface points of vertex v.
+  Limb limb(std::size_t tip, const std::vector<std::vector<Vector3>>& surface) const
   {
     Limb result;
     result.branch = follow(tip, adjacency_[tip][0], adjacency_);
     result.direction = tip_direction(tip, graph_, adjacency_);
-    result.reach = reach_beyond(graph_.vertices[tip].position, result.direction, points);
+    result.reach = reach_beyond(graph_.vertices[tip].position, result.direction, surface[tip]);
+    for(std::size_t v : result.branch)
+      result.points += static_cast<double>(surface[v].size());
     for(std::size_t k = 1; k < result.branch.size(); ++k)
       result.curve.add(graph_.vertices[result.branch[k - 1]], graph_.vertices[result.branch[k]]);
     return result;
@@ -167,6 +170,12 @@ private:
     return 2 * distance < reach * (graph_.vertices[v].resolution + graph_.vertices[w].resolution);
   }
 
+  /// How much was seen of the limb of a tip that goes on at vertex `w`.
+  double seen(const Limb& limb, std::size_t w) const
+  {
+    return (std::min)(limb.length(), length_seen(limb.points, w, graph_));
+  }
+
   /// Whether the limbs of two tips are one: both tips point over the gap, and nothing is missing
   /// between their points; or taken together the limbs may go on, and as much as is missing was
   /// seen.
@@ -179,18 +188,20 @@ private:
     both.add(b.curve);
     const double missing = length - a.reach - b.reach;
     return (are_adjacent(missing, v, w) ||
-            (missing < a.length() + b.length() && may_go_on(both))) &&
+            (missing < seen(a, w) + seen(b, v) && may_go_on(both))) &&
            a.direction.dot(bridge) > options_.aligned * length &&
            -b.direction.dot(bridge) > options_.aligned * length;
   }
 
-  /// Whether the limb of a tip goes on at a vertex that is none: as much as is missing was seen.
+  /// Whether the limb of a tip goes on at a vertex that is none: as much as is missing was seen, and
+  /// something is missing there, too: the wall of what was seen from all sides is complete.
   bool goes_on_at(std::size_t tip, std::size_t w) const
   {
     const Limb& limb = limbs_[tip];
     const Vector3 bridge = graph_.vertices[w].position - graph_.vertices[tip].position;
     const double length = bridge.norm();
-    return length - limb.reach < limb.length() && may_go_on(limb.curve) &&
+    return length - limb.reach < seen(limb, w) && may_go_on(limb.curve) &&
+           is_open(graph_.vertices[w]) &&
            limb.direction.dot(bridge) > options_.aligned * length;
   }
 
@@ -215,12 +226,13 @@ private:
 };
 
 /// Part 3d: adds edges over gaps, from a tip to a vertex that it points at, or to a tip that points
-/// back: then with vertices in the gap, where other limbs may end. A limb needs evidence, must not
-/// have been seen from all sides (a tip that was ends there), and what ends at a gap must be longer
-/// than the gap between its surface points: as much as is missing was seen. What holds for a limb
-/// holds for two that face each other, taken together; if their points are next to each other,
-/// they are one limb without that. Closes cycles, if there is room for a hole. `surface[v]` are the
-/// surface points of vertex v. O(n log n), times the vertices within twice the length of a limb.
+/// back: then with vertices in the gap, where other limbs may end. A limb needs evidence, and must
+/// not have been seen from all sides: a tip that was ends there, and nothing ends in a wall that
+/// was. What ends at a gap must be longer than the gap between its surface points, see
+/// `length_seen()`: as much as is missing was seen. What holds for a limb holds for two that face
+/// each other, taken together; if their points are next to each other, they are one limb without
+/// that. Closes cycles, if there is room for a hole. `surface[v]` are the surface points of vertex
+/// v. O(n log n), times the vertices within twice the length of a limb.
 inline void continue_limbs(Skeleton_graph& graph, const std::vector<std::vector<Vector3>>& surface,
                            const Curve_options& options)
 {

@@ -52,7 +52,8 @@ public:
     std::vector<Bridge> nearest(graph_.vertices.size(), {0, 0, widest}); // at the representative
     const auto offer = [&](const Bridge& gap, std::size_t from, std::size_t to) {
       Bridge& best = nearest[components_.representative(from)];
-      if(gap < best && gap.length < options_.fragment_gap * span(from) && is_fragment_of(from, to))
+      if(gap < best && gap.length < options_.fragment_gap * span_seen(from, to) &&
+         is_fragment_of(from, to))
         best = gap;
     };
     for(std::size_t v = 0; v < adjacency_.size(); ++v)
@@ -71,6 +72,12 @@ public:
 private:
   /// Longest path in the component of a vertex; 0 if that is no fragment.
   double span(std::size_t v) const { return span_[components_.representative(v)]; }
+
+  /// The same, of what vertex `w` is a part of.
+  double span_seen(std::size_t v, std::size_t w) const
+  {
+    return (std::min)(span(v), length_seen(components_.of(v).points, w, graph_));
+  }
 
   /// Whether the component of `v` is a fragment of that of `w`: it has few points, fewer the more
   /// it branches. Its length, in lengths of its longest path, is about how many limbs it has.
@@ -91,10 +98,10 @@ private:
 /// Part 3d: joins fragments, pieces of limbs behind something that hid the rest from the scanner,
 /// each to the nearest component that it may be a piece of. A fragment was not seen from all sides
 /// (what was is complete), has few points beside the component that it is joined to (fewer the more
-/// it branches, as a tree of its own does), and the gap is not much longer than what is seen of it.
-/// Since each is joined to one, none joins two trees of a forest that it hangs between; since that
-/// one has more points, none closes a cycle. O(n log n), times the vertices within the greatest
-/// gap.
+/// it branches, as a tree of its own does), and the gap is not much longer than what is seen of it,
+/// see `length_seen()`. Since each is joined to one, none joins two trees of a forest that it hangs
+/// between; since that one has more points, none closes a cycle. O(n log n), times the vertices
+/// within the greatest gap.
 /// \param points number of points of each vertex
 inline void join_fragments(Skeleton_graph& graph, const std::vector<double>& points,
                            const Curve_options& options)
