@@ -234,6 +234,35 @@ TEST_CASE("Twigs are those of a cloud that mostly consists of lines")
   CHECK(share_of_twigs(tree, twigs.size(), tree.size()) < 0.1);
 }
 
+TEST_CASE("Whatever is not resolved is of a twig or loose, as a limb two points wide among twigs")
+{
+  CAPTURE(seed);
+  shapes::Random random(seed);
+  std::vector<Vector3> places;
+  for(int twig = 0; twig < 30; ++twig) {
+    const Vector3 direction = random.direction(), root = 60 * random.uniform_vector();
+    for(int k = 0; k < 30; ++k)
+      places.push_back(root + 0.4 * k * direction + 0.1 * random.uniform_vector());
+  }
+  const std::size_t limb = places.size();
+  for(int k = 0; k < 100; ++k) // a zigzag
+    places.push_back(Vector3(100 + 0.4 * k, 0.8 * (k % 2), 0) + 0.1 * random.uniform_vector());
+  Patches patches = patches_at(places);
+  for(std::size_t i = 0; i < places.size(); ++i)
+    for(std::size_t j = 0; j < places.size(); ++j)
+      if(i != j && (places[i] - places[j]).norm() < 1.3)
+        patches[i].neighbors.push_back(j);
+  const Surface surface = surfaces::surface_of(patches);
+  const std::vector<bool> is_unresolved =
+    unresolved_patches(surface, samples_on(patches), least_coplanarity);
+  const Unresolved_limbs limbs = unresolved_limbs(surface, samples_on(patches), least_coplanarity);
+  CHECK(std::count(is_unresolved.begin() + static_cast<std::ptrdiff_t>(limb), is_unresolved.end(), true) > 50);
+  for(std::size_t i = 0; i < places.size(); ++i) {
+    CHECK((!is_unresolved[i] || limbs.is_of_twig[i] || limbs.is_loose[i]));
+    CHECK_FALSE((limbs.is_of_twig[i] && limbs.is_loose[i]));
+  }
+}
+
 TEST_CASE("Places around a limb go to its middle, and not along it")
 {
   CAPTURE(seed);

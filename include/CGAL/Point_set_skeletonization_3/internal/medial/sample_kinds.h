@@ -214,7 +214,7 @@ struct Unresolved_limbs
 
 /// Divides unresolved patches into those of twigs and others. Twigs are told by their dimension, in
 /// a cloud most of whose patches are not resolved, and less than a surface; a limb as wide as the
-/// noise among them is none. O(n log n).
+/// noise among them is none, nor is one a few points wide. O(n log n).
 inline Unresolved_limbs without_twigs(const Surface& surface, const Samples& samples,
                                       std::vector<bool> is_unresolved)
 {
@@ -239,9 +239,8 @@ inline Unresolved_limbs without_twigs(const Surface& surface, const Samples& sam
       continue;
     Components_around here;
     visit_surroundings(surface, i, [&](std::size_t k) { here.add(around[k]); });
-    const bool is_thin = here.dimension() < of_surface;
-    result.is_of_twig[i] = result.is_of_twig[i] && is_thin;
-    result.is_loose[i] = result.is_loose[i] && !is_thin;
+    result.is_of_twig[i] = result.is_of_twig[i] && here.dimension() < of_surface;
+    result.is_loose[i] = result.is_loose[i] && !result.is_of_twig[i];
   }
   return result;
 }
