@@ -139,6 +139,39 @@ TEST_CASE("A sheet with creases is resolved, scattered patches as planar are not
   CHECK(share_of_unresolved(scattered) > 0.9);
 }
 
+TEST_CASE("A strip two patches wide looks like a line, but its patches are on a surface")
+{
+  CAPTURE(seed);
+  shapes::Random random(seed);
+  constexpr int length = 40; // patches
+  for(const int width : {2, 1}) {
+    CAPTURE(width);
+    std::vector<Vector3> places;
+    for(int x = 0; x < length; ++x)
+      for(int y = 0; y < width; ++y)
+        places.emplace_back(x, y, 0);
+    Patches patches = patches_at(places);
+    for(std::size_t i = 0; i < patches.size(); ++i) {
+      patches[i].area = patches[i].planarity = 1;
+      patches[i].normal = width > 1 ? Vector3(Vector3::UnitZ()) : random.direction();
+      for(std::size_t j = 0; j < patches.size(); ++j)
+        if(i != j && (patches[i].mean - patches[j].mean).norm() < 1.5)
+          patches[i].neighbors.push_back(j);
+    }
+    const Surface surface = surfaces::surface_of(patches);
+    const Unresolved_limbs limbs =
+      unresolved_limbs(surface, samples_on(patches), least_coplanarity);
+    const auto unresolved = std::count(limbs.is_of_twig.begin(), limbs.is_of_twig.end(), true) +
+                            std::count(limbs.is_loose.begin(), limbs.is_loose.end(), true);
+    CHECK(2 * static_cast<std::size_t>(unresolved) > patches.size());
+    const double share = share_unresolved(surface, limbs, least_coplanarity);
+    if(width > 1)
+      CHECK(share == 0);
+    else // some by chance are as coplanar as those of a surface: there are few in a row
+      CHECK(share > 0.5);
+  }
+}
+
 TEST_CASE("What has a medial ball is resolved, unless most around it is not")
 {
   CAPTURE(seed);

@@ -199,17 +199,6 @@ struct Unresolved_limbs
 {
   std::vector<bool> is_of_twig; ///< Of twigs thinner than the spacing, in a cloud of such.
   std::vector<bool> is_loose;   ///< Of others.
-
-  /// Of all patches; 0 if there are none. O(patches).
-  double share() const
-  {
-    std::size_t unresolved = 0;
-    for(std::size_t i = 0; i < is_loose.size(); ++i)
-      unresolved += is_of_twig[i] || is_loose[i] ? 1 : 0;
-    return is_loose.empty()
-             ? 0
-             : static_cast<double>(unresolved) / static_cast<double>(is_loose.size());
-  }
 };
 
 /// Divides unresolved patches into those of twigs and others. Twigs are told by their dimension, in
@@ -253,6 +242,23 @@ inline Unresolved_limbs unresolved_limbs(const Surface& surface, const Samples& 
   if(surface.is_of_lines)
     return {twig_patches(surface, samples), std::vector<bool>(samples.size(), false)};
   return without_twigs(surface, samples, unresolved_patches(surface, samples, least_coplanarity));
+}
+
+/// Returns the share of the patches that are of limbs that are not resolved, and on no surface; 0 if
+/// there is none. A strip three patches wide looks like a line or scattered from afar, but adjacent
+/// patches of it are coplanar. O(n log n).
+/// \param least_coplanarity see `sample_kinds()`
+inline double share_unresolved(const Surface& surface, const Unresolved_limbs& limbs,
+                               double least_coplanarity)
+{
+  const std::size_t size = limbs.is_loose.size();
+  const std::vector<std::size_t> coplanar =
+    coplanar_neighbors(surface.patches, least_coplanarity);
+  std::size_t unresolved = 0;
+  for(std::size_t i = 0; i < size; ++i)
+    if((limbs.is_of_twig[i] || limbs.is_loose[i]) && !is_on_surface(surface, i, coplanar))
+      ++unresolved;
+  return size > 0 ? static_cast<double>(unresolved) / static_cast<double>(size) : 0;
 }
 
 } // namespace internal

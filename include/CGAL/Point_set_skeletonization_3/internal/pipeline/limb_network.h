@@ -40,8 +40,7 @@ struct Limb_network
 {
   Limb_curve curve;
   std::vector<bool> is_outlier; ///< For each sample.
-  double unresolved = 0; ///< Share of the patches that are in no resolved limb; 0 in a frame, in
-                         ///< which none are told.
+  double unresolved = 0; ///< `share_unresolved()`; 0 in a frame, in which no limbs are told.
 };
 
 /// How to read limbs that are not resolved (twigs of a few points across, limbs as thin as the
@@ -214,7 +213,7 @@ inline Limb_network limb_network(const Surface& surface, const Samples& samples,
   const Pruned_quotient pruned = prune(quotient, surface.patches, overlaps.pairs(),
                                        surface.components, surface.groups, options.curve);
   Limb_network result;
-  result.unresolved = unresolved.share();
+  result.unresolved = share_unresolved(surface, unresolved, options.separators.overlap);
   // In a frame, what faces a strip is the other side of its limb, though nothing else joins them.
   result.curve = is_frame ? Limb_curve{pruned.graph, samples}
                           : limb_curve(quotient, pruned, surface, samples, concurrency);

@@ -42,7 +42,7 @@ struct Linked_samples
 /// Where noise hides the other sides, a frame with no more loops is kept nevertheless: what tells
 /// limbs apart in a tree is how coplanar patches are, which noise spoils. O(n log n).
 /// \param noise strength of the noise removed, in [0, 1]
-/// \param unresolved share of the patches that are in no resolved limb, in [0, 1]
+/// \param unresolved share of the patches that are in no resolved limb nor on a surface, in [0, 1]
 inline bool is_frame(const Skeleton_graph& frame, const Skeleton_graph& tree, double noise,
                      double unresolved, const Linking_options& options)
 {
