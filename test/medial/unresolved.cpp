@@ -167,7 +167,7 @@ TEST_CASE("A strip two patches wide looks like a line, but its patches are on a 
     const double share = share_unresolved(surface, limbs, least_coplanarity);
     if(width > 1)
       CHECK(share == 0);
-    else // some by chance are as coplanar as those of a surface: there are few in a row
+    else // of one half no frame is kept; a few are as coplanar as those of a surface by chance
       CHECK(share > 0.5);
   }
 }
@@ -289,7 +289,8 @@ TEST_CASE("Whatever is not resolved is of a twig or loose, as a limb two points 
   const std::vector<bool> is_unresolved =
     unresolved_patches(surface, samples_on(patches), least_coplanarity);
   const Unresolved_limbs limbs = unresolved_limbs(surface, samples_on(patches), least_coplanarity);
-  CHECK(std::count(is_unresolved.begin() + static_cast<std::ptrdiff_t>(limb), is_unresolved.end(), true) > 50);
+  CHECK(std::count(is_unresolved.begin() + static_cast<std::ptrdiff_t>(limb), is_unresolved.end(),
+                   true) > 50);
   for(std::size_t i = 0; i < places.size(); ++i) {
     CHECK((!is_unresolved[i] || limbs.is_of_twig[i] || limbs.is_loose[i]));
     CHECK_FALSE((limbs.is_of_twig[i] && limbs.is_loose[i]));

@@ -245,7 +245,7 @@ inline Unresolved_limbs unresolved_limbs(const Surface& surface, const Samples& 
 }
 
 /// Returns the share of the patches that are of limbs that are not resolved, and on no surface; 0 if
-/// there is none. A strip three patches wide looks like a line or scattered from afar, but adjacent
+/// there is none. A strip a few patches wide looks like a line or scattered from afar, but adjacent
 /// patches of it are coplanar. O(n log n).
 /// \param least_coplanarity see `sample_kinds()`
 inline double share_unresolved(const Surface& surface, const Unresolved_limbs& limbs,
