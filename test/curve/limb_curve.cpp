@@ -105,6 +105,33 @@ TEST_CASE("Balls between two leaves are in neither: the curve is on each")
   }
 }
 
+TEST_CASE("Limbs that part at a junction face each other once they are apart")
+{
+  constexpr int stem = 10;
+  constexpr double radius = 0.25;
+  Two_sheets plant;
+  for(int k = 0; k < stem; ++k) {
+    plant.add_vertex(Two_sheets::step * (k - stem + 1), {-radius, radius});
+    if(k > 0)
+      plant.connect(plant.heights.size() - 2, plant.heights.size() - 1);
+  }
+  for(double x : {-0.5, 0.5})
+    for(int k = 1; k < Two_sheets::length; ++k) {
+      plant.add_vertex(Two_sheets::step * k, {x});
+      plant.connect(k == 1 ? stem - 1 : plant.heights.size() - 2, plant.heights.size() - 1);
+    }
+  const Limb_curve curve = plant.curve();
+  for(std::size_t v = 0; v < plant.heights.size(); ++v) {
+    CAPTURE(v, plant.heights[v]);
+    // Within two radii of the junction they are not told apart; over it, the way is too short.
+    const bool is_apart = plant.heights[v] > 2 * radius;
+    const Skeleton_graph::Vertex& vertex = curve.graph.vertices[v];
+    CHECK(std::abs(vertex.position.x()) == Approx(is_apart ? 0.5 : 0).margin(1e-6));
+    CHECK(is_open(vertex) == is_apart);
+    CHECK(vertex.facing == Approx(is_apart ? 1 : 0));
+  }
+}
+
 TEST_CASE("Balls that touch both sides of one limb stay")
 {
   Two_sheets limb;
@@ -146,20 +173,27 @@ TEST_CASE("Vertices are visited in the order of their way, each once")
   graph.edges = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
   std::vector<std::size_t> order;
   std::vector<double> ways;
+  std::size_t barred = 4; // nothing leads on from here
   const auto visit = [&](std::size_t last) {
     order.clear();
     ways.clear();
-    visit_around(graph, graph.adjacency(), 1, [&](std::size_t v, double way) {
-      order.push_back(v);
-      ways.push_back(way);
-      return v != last;
-    });
+    visit_around(
+      graph, graph.adjacency(), 1, [&](std::size_t u, std::size_t) { return u != barred; },
+      [&](std::size_t v, double way) {
+        order.push_back(v);
+        ways.push_back(way);
+        return v != last;
+      });
   };
   visit(4);
   CHECK(order == std::vector<std::size_t>{1, 0, 2, 3});
   CHECK(ways == std::vector<double>{0, 1, 1, 2});
   visit(2);
   CHECK(order == std::vector<std::size_t>{1, 0, 2});
+  barred = 2;
+  visit(4);
+  CHECK(order == std::vector<std::size_t>{1, 0, 2, 3});
+  CHECK(ways == std::vector<double>{0, 1, 1, 4}); // by the long edge
 }
 
 } // namespace limb_curve_test

@@ -35,9 +35,9 @@ Slab arc(double degrees, std::size_t size)
   return result;
 }
 
-double off_arc(double degrees, std::size_t size, double sheet)
+double off_arc(double degrees, std::size_t size, double sheet, double facing = 0)
 {
-  return 1 - points_across(arc(degrees, size), sheet, resolution, aligned).middle.norm();
+  return 1 - points_across(arc(degrees, size), sheet, facing, resolution, aligned).middle.norm();
 }
 
 } // namespace
@@ -52,6 +52,19 @@ TEST_CASE("The middle of a bent leaf is on it")
   }
 }
 
+TEST_CASE("Half of a tube has its middle on the axis, a leaf as round that faces a limb on itself")
+{
+  for(double degrees : {165., 180., 195.}) {
+    CAPTURE(degrees);
+    const double axis = off_arc(degrees, 200, 0), between = off_arc(degrees, 200, 0, 0.5),
+                 on = off_arc(degrees, 200, 0, 1);
+    CHECK(axis > 0.95);
+    CHECK(on < 0.1);
+    CHECK(between > on);
+    CHECK(between < axis);
+  }
+}
+
 TEST_CASE("The middle of a flat leaf stays where it is")
 {
   Slab flat;
@@ -59,7 +72,7 @@ TEST_CASE("The middle of a flat leaf stays where it is")
     flat.across.emplace_back(0.01 * i, 0);
     flat.along.push_back(0.05 * (i % 3));
   }
-  const Eigen::Vector2d median = points_across(flat, 1, resolution, aligned).middle;
+  const Eigen::Vector2d median = points_across(flat, 1, 0, resolution, aligned).middle;
   CHECK(median.norm() < 0.02);
 }
 
@@ -87,8 +100,8 @@ TEST_CASE("In the middle of scattered points nearly nothing moves")
         disc.along.push_back(random.uniform(-0.1, 0.1));
       }
     }
-    const Eigen::Vector2d before = points_across(disc, 0, resolution, aligned).middle;
-    CHECK((points_across(disc, 1, resolution, aligned).middle - before).norm() < 0.15);
+    const Eigen::Vector2d before = points_across(disc, 0, 0, resolution, aligned).middle;
+    CHECK((points_across(disc, 1, 0, resolution, aligned).middle - before).norm() < 0.15);
   }
 }
 

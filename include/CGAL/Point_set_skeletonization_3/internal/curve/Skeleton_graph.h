@@ -34,6 +34,8 @@ struct Skeleton_graph
     double evidence = 0; ///< For a limb there, in [0, 1], see `Limb_evidence`.
     double open = 0; ///< Share of the patches around it whose other side was not seen, in [0, 1].
     double half_width = 0; ///< Mean distance of the patches around it.
+    double facing = 0; ///< Share of the patches around it that face another limb, in [0, 1]: what is
+                       ///< between is not their limb.
   };
   using Edge = std::pair<std::size_t, std::size_t>;
 

@@ -26,13 +26,15 @@ inline Skeleton_graph::Vertex between(const Skeleton_graph::Vertex& a,
                                       const Skeleton_graph::Vertex& b, double t)
 {
   const auto mean = [t](double x, double y) { return x + t * (y - x); };
-  return {Vector3(a.position + t * (b.position - a.position)),
-          mean(a.radius, b.radius),
-          mean(a.resolution, b.resolution),
-          true,
-          a.is_on_line && b.is_on_line,
-          mean(a.evidence, b.evidence),
-          mean(a.open, b.open)};
+  Skeleton_graph::Vertex result{Vector3(a.position + t * (b.position - a.position)),
+                                mean(a.radius, b.radius),
+                                mean(a.resolution, b.resolution),
+                                true,
+                                a.is_on_line && b.is_on_line,
+                                mean(a.evidence, b.evidence),
+                                mean(a.open, b.open)};
+  result.facing = mean(a.facing, b.facing);
+  return result;
 }
 
 /// Returns the path of vertices of degree 2 from `from` through its neighbour `to`, with its ends.

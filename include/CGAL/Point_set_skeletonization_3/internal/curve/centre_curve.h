@@ -187,8 +187,8 @@ private:
       return {vertex.position, in_space(section.center), weight, area_radius, true};
     if(points.size() < (vertex.is_on_line ? fewest_on_circle : 1) || !is_open(vertex))
       return not_drawn(v, radius);
-    const Points_across across = points_across(slab, 1 - share_seen(weight), vertex.resolution,
-                                               options_.aligned);
+    const Points_across across = points_across(slab, 1 - share_seen(weight), vertex.facing,
+                                               vertex.resolution, options_.aligned);
     const bool is_round = across.round_share > 0;
     const double point_radius = (std::max)(vertex.resolution, across.spread);
     const auto mean = [share](const auto& of_points, const auto& of_area) {
@@ -207,9 +207,9 @@ private:
     result.median = in_space(across.median);
     result.axis_share = across.round_share;
     const double known_share = vertex.is_on_line || is_round ? across.round_share : share;
-    // Points on all sides tell what is in the middle of them.
-    result.unknown_share =
-      (1 - known_share) * (std::min)(1.0, section.unknown / between_points);
+    // Points on all sides tell what is in the middle of them, and so does another limb opposite.
+    result.unknown_share = (1 - vertex.facing) * (1 - known_share) *
+                           (std::min)(1.0, section.unknown / between_points);
     return result;
   }
 
@@ -222,13 +222,14 @@ private:
   }
 
   /// How much the area of a cross-section counts beside its points, in [0, 1]. In an open limb not
-  /// at all if it is scattered, or if points are not around it: the centroid of what was seen would
-  /// be beside them.
+  /// at all if it is scattered, if points are not around it (the centroid of what was seen would be
+  /// beside them), or as far as it faces another limb, which bounds no area of its own.
   double share_of_area(const Skeleton_graph::Vertex& vertex, double weight) const
   {
     if(!is_open(vertex))
       return 1;
-    return vertex.evidence < options_.limb_evidence ? 0 : share_seen(weight);
+    return vertex.evidence < options_.limb_evidence ? 0
+                                                    : (1 - vertex.facing) * share_seen(weight);
   }
 
   /// Ignores centroids outside the shape.
@@ -345,7 +346,9 @@ private:
   }
 
   /// The surface points closer than `half_width` to the plane at a vertex spanned by `e1` and `e2`,
-  /// moved across as far as the branch bends.
+  /// moved across as far as the branch bends. The plane of an open limb may cut others that join it:
+  /// beyond a junction, only what leads further away from the plane is of the same limb. One that
+  /// was seen from all sides is cut as a whole, where others join it, too.
   Slab cut(std::size_t v, const Piece& piece, const Vector3& e1, const Vector3& e2, double radius,
            double half_width) const
   {
@@ -356,7 +359,14 @@ private:
     constexpr double slope = 0.5;
     double widest = 0;
     Slab result;
-    visit_around(graph_, adjacency_, v, [&](std::size_t u, double way) {
+    const bool is_whole = !is_open(graph_.vertices[v]);
+    const auto height = [&](std::size_t u) {
+      return std::abs(piece.axis.dot(graph_.vertices[u].position - graph_.vertices[v].position));
+    };
+    const auto leads = [&](std::size_t u, std::size_t w) {
+      return is_whole || adjacency_[u].size() <= 2 || height(w) > height(u);
+    };
+    visit_around(graph_, adjacency_, v, leads, [&](std::size_t u, double way) {
       const double least_width = way > half_width + reach * radius ? (way - half_width) / slope : 0;
       for(const Vector3& p : surface_[u]) {
         Vector3 d = p - graph_.vertices[v].position;

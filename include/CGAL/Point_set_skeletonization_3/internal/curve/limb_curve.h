@@ -7,9 +7,9 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/branches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
-#include <CGAL/Point_set_skeletonization_3/internal/curve/visit_around.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
@@ -29,6 +29,23 @@ struct Limb_curve
   Samples samples; ///< One per patch, in their order.
 };
 
+/// What some patches of a limb are opposite of, by their balls.
+struct Patches_opposite
+{
+  std::size_t all = 0;           ///< Patches.
+  std::size_t of_limbs = 0;      ///< Those that are opposite of something.
+  std::size_t of_other_limb = 0; ///< Those that are opposite of another limb.
+
+  /// Whether most of their balls are between limbs.
+  bool are_between_limbs() const { return 2 * of_other_limb > of_limbs; }
+
+  /// The share of the patches that face another limb, in [0, 1]; 0 if there are none.
+  double share_facing() const
+  {
+    return all > 0 ? static_cast<double>(of_other_limb) / static_cast<double>(all) : 0;
+  }
+};
+
 /// Tells the balls that are in a limb from those between two: their other side is on another one, as
 /// that of a leaf which faces it.
 class Balls_between_limbs
@@ -41,22 +58,25 @@ public:
       adjacency_(limbs.graph.adjacency())
   {}
 
-  /// Whether most balls of a vertex of the quotient, of those that touch something opposite, are
-  /// between limbs; false if it is in no limb. O(patches log n) in practice.
-  bool are_most_of(std::size_t vertex) const
+  /// Returns what the patches of a vertex of the quotient are opposite of; none if it is in no limb,
+  /// or where limbs join. O(patches log n) in practice.
+  Patches_opposite of(std::size_t vertex) const
   {
     constexpr std::size_t enough = 16; // to be asked; the patches of large pieces are many
-    if(limbs_.vertex_of[vertex] == no_vertex)
-      return false;
+    Patches_opposite result;
+    const std::size_t limb_vertex = limbs_.vertex_of[vertex];
+    if(limb_vertex == no_vertex || is_junction(limb_vertex))
+      return result;
     const std::vector<std::size_t>& patches = quotient_.members[vertex];
     const std::size_t step = (patches.size() + enough - 1) / enough;
-    std::size_t between = 0, all = 0;
-    for(std::size_t k = 0; k < patches.size(); k += step)
+    for(std::size_t k = 0; k < patches.size(); k += step) {
+      ++result.all;
       if(const std::optional<std::size_t> other = opposite(patches[k])) {
-        between += is_of_other_limb(vertex, patches[k], *other) ? 1 : 0;
-        ++all;
+        ++result.of_limbs;
+        result.of_other_limb += is_of_other_limb(limb_vertex, patches[k], *other) ? 1 : 0;
       }
-    return 2 * between > all;
+    }
+    return result;
   }
 
 private:
@@ -79,24 +99,35 @@ private:
     return result;
   }
 
-  /// Whether a patch opposite of patch `i` of a vertex is further along the limbs than it may be in
-  /// one: twice as far as they are apart, as in a cross-section at 30 degrees.
+  /// Whether a patch opposite of patch `i` of a vertex of a limb is of another one: beyond the
+  /// junctions at the ends of the limb, unless the vertex is within two radii of one, where limbs
+  /// that part at an angle of 60 degrees are not apart yet; or further along the limb than it may
+  /// be, twice as far as the patches are apart, as in a cross-section at 30 degrees.
   bool is_of_other_limb(std::size_t vertex, std::size_t i, std::size_t opposite) const
   {
     constexpr double longest = 2; // distances of the patches
-    const std::size_t from = limbs_.vertex_of[vertex],
-                      to = limbs_.vertex_of[quotient_.vertex_of_patch[opposite]];
-    if(to == no_vertex) // what is in no limb is of the nearest one
+    constexpr double reach = 2;   // radii
+    const std::size_t other = limbs_.vertex_of[quotient_.vertex_of_patch[opposite]];
+    if(other == no_vertex || other == vertex) // what is in no limb is of the nearest one
       return false;
     const double most =
       longest * (surface_.patches[i].mean - surface_.patches[opposite].mean).norm();
-    bool is_near = false;
-    visit_around(limbs_.graph, adjacency_, from, [&](std::size_t v, double way) {
-      is_near = v == to && way <= most;
-      return v != to && way <= most;
-    });
-    return !is_near;
+    for(std::size_t next : adjacency_[vertex]) {
+      double way = 0;
+      std::size_t last = vertex;
+      for(std::size_t v : follow(vertex, next, adjacency_)) {
+        way += (limbs_.graph.vertices[v].position - limbs_.graph.vertices[last].position).norm();
+        if(v == other && way <= most)
+          return false;
+        last = v;
+      }
+      if(is_junction(last) && way <= reach * limbs_.graph.vertices[last].radius)
+        return false;
+    }
+    return true;
   }
+
+  bool is_junction(std::size_t limb_vertex) const { return adjacency_[limb_vertex].size() > 2; }
 
   const Surface_quotient& quotient_;
   const Pruned_quotient& limbs_;
@@ -112,16 +143,15 @@ inline Limb_curve limb_curve(const Surface_quotient& quotient, const Pruned_quot
                              const Surface& surface, const Samples& samples,
                              Concurrency concurrency)
 {
-  const Balls_between_limbs between(quotient, limbs, surface, samples);
-  std::vector<char> is_between(quotient.members.size());
-  parallel_for(concurrency, is_between.size(),
-               [&](std::size_t v) { is_between[v] = between.are_most_of(v); });
+  const Balls_between_limbs balls(quotient, limbs, surface, samples);
+  std::vector<Patches_opposite> opposite(quotient.members.size());
+  parallel_for(concurrency, opposite.size(), [&](std::size_t v) { opposite[v] = balls.of(v); });
   Limb_curve result{limbs.graph, samples};
   for(std::size_t i = 0; i < samples.size(); ++i)
-    if(is_between[quotient.vertex_of_patch[i]])
+    if(opposite[quotient.vertex_of_patch[i]].are_between_limbs())
       result.samples[i] = {surface.patches[i].mean, 0};
-  for(std::size_t v = 0; v < is_between.size(); ++v) {
-    if(!is_between[v])
+  for(std::size_t v = 0; v < opposite.size(); ++v) {
+    if(!opposite[v].are_between_limbs())
       continue;
     Skeleton_graph::Vertex& vertex = result.graph.vertices[limbs.vertex_of[v]];
     const Skeleton_graph::Vertex on_sheet =
@@ -130,6 +160,7 @@ inline Limb_curve limb_curve(const Surface_quotient& quotient, const Pruned_quot
     vertex.radius = on_sheet.radius;
     vertex.open = on_sheet.open;
     vertex.half_width = on_sheet.half_width;
+    vertex.facing = opposite[v].share_facing();
   }
   return result;
 }

@@ -57,22 +57,26 @@ inline Eigen::Vector2d moved_to_sheet(const Eigen::Vector2d& place,
 /// \pre there are points
 /// \param sheet share of the boundary of the cross-section that is missing, in [0, 1]: if points are
 ///        all around, what is in the middle of them is no sheet
+/// \param facing share of the limb that faces another one, in [0, 1]: there it is a sheet, though it
+///        may be as round as half a trunk
 /// \param resolution typical distance of points
 /// \param aligned see `round_section()`
-inline Points_across points_across(const Slab& slab, double sheet, double resolution,
-                                   double aligned)
+inline Points_across points_across(const Slab& slab, double sheet, double facing,
+                                   double resolution, double aligned)
 {
   const Round_section round = round_section(slab, aligned);
+  const double round_share = (1 - facing) * round.share;
   const Eigen::Vector2d median =
     l1_median(slab.across, (std::max)(0.1 * resolution, least_spacing));
   Eigen::Vector2d middle = median;
-  if(sheet > 0)
-    middle += sheet * (moved_to_sheet(median, slab.across) - median);
-  middle += round.share * (round.circle.center - middle);
+  const double on_sheet = (std::max)(sheet, facing);
+  if(on_sheet > 0)
+    middle += on_sheet * (moved_to_sheet(median, slab.across) - median);
+  middle += round_share * (round.circle.center - middle);
   std::vector<double> distances;
   for(const Eigen::Vector2d& p : slab.across)
     distances.push_back((p - middle).norm());
-  return {median, middle, round.share, quantile(std::move(distances), 0.5)};
+  return {median, middle, round_share, quantile(std::move(distances), 0.5)};
 }
 
 } // namespace internal

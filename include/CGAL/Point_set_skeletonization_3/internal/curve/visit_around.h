@@ -20,10 +20,11 @@ namespace internal {
 /// Calls `visit(u, way)` for the vertices connected with `v`, itself first, in the order of their
 /// distance along the graph (Dijkstra 1959), until it returns false. O(m^2) for m visited.
 /// \param adjacency of the graph
-template <typename Visit>
+/// \param leads `leads(u, w)` tells whether the way goes on from u to its neighbour w
+template <typename Leads, typename Visit>
 void visit_around(const Skeleton_graph& graph,
                   const std::vector<std::vector<std::size_t>>& adjacency, std::size_t v,
-                  const Visit& visit)
+                  const Leads& leads, const Visit& visit)
 {
   using Reached = std::pair<double, std::size_t>;
   std::priority_queue<Reached, std::vector<Reached>, std::greater<Reached>> reached;
@@ -38,7 +39,9 @@ void visit_around(const Skeleton_graph& graph,
     if(!visit(u, way))
       return;
     for(std::size_t w : adjacency[u])
-      reached.emplace(way + (graph.vertices[u].position - graph.vertices[w].position).norm(), w);
+      if(leads(u, w))
+        reached.emplace(way + (graph.vertices[u].position - graph.vertices[w].position).norm(),
+                        w);
   }
 }
 
