@@ -123,7 +123,7 @@ TEST_CASE("Limbs that part at a junction face each other once they are apart")
   const Limb_curve curve = plant.curve();
   for(std::size_t v = 0; v < plant.heights.size(); ++v) {
     CAPTURE(v, plant.heights[v]);
-    // Within two radii of the junction they are not told apart; over it, the way is too short.
+    // Within two radii of the junction, limbs are not apart yet.
     const bool is_apart = plant.heights[v] > 2 * radius;
     const Skeleton_graph::Vertex& vertex = curve.graph.vertices[v];
     CHECK(std::abs(vertex.position.x()) == Approx(is_apart ? 0.5 : 0).margin(1e-6));

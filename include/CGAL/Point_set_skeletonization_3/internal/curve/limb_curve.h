@@ -7,9 +7,9 @@
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
-#include <CGAL/Point_set_skeletonization_3/internal/curve/branches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/prune.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
+#include <CGAL/Point_set_skeletonization_3/internal/curve/visit_around.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
@@ -51,12 +51,24 @@ struct Patches_opposite
 class Balls_between_limbs
 {
 public:
-  /// Refers to all arguments. O(n).
+  /// Refers to all arguments. O(n) in practice.
   Balls_between_limbs(const Surface_quotient& quotient, const Pruned_quotient& limbs,
                       const Surface& surface, const Samples& samples)
     : quotient_(quotient), limbs_(limbs), surface_(surface), samples_(samples),
-      adjacency_(limbs.graph.adjacency())
-  {}
+      adjacency_(limbs.graph.adjacency()), is_at_junction_(adjacency_.size(), false)
+  {
+    constexpr double reach = 2; // radii: limbs that part at 60 degrees are not apart yet
+    for(std::size_t junction = 0; junction < adjacency_.size(); ++junction)
+      if(is_junction(junction))
+        visit_around(
+          limbs.graph, adjacency_, junction,
+          [&](std::size_t u, std::size_t) { return u == junction || !is_junction(u); },
+          [&](std::size_t v, double way) {
+            const bool is_at = way <= reach * limbs.graph.vertices[junction].radius;
+            is_at_junction_[v] = is_at_junction_[v] || is_at;
+            return is_at;
+          });
+  }
 
   /// Returns what the patches of a vertex of the quotient are opposite of; none if it is in no limb,
   /// or where limbs join. O(patches log n) in practice.
@@ -65,7 +77,7 @@ public:
     constexpr std::size_t enough = 16; // to be asked; the patches of large pieces are many
     Patches_opposite result;
     const std::size_t limb_vertex = limbs_.vertex_of[vertex];
-    if(limb_vertex == no_vertex || is_junction(limb_vertex))
+    if(limb_vertex == no_vertex || is_at_junction_[limb_vertex])
       return result;
     const std::vector<std::size_t>& patches = quotient_.members[vertex];
     const std::size_t step = (patches.size() + enough - 1) / enough;
@@ -99,32 +111,25 @@ private:
     return result;
   }
 
-  /// Whether a patch opposite of patch `i` of a vertex of a limb is of another one: beyond the
-  /// junctions at the ends of the limb, unless the vertex is within two radii of one, where limbs
-  /// that part at an angle of 60 degrees are not apart yet; or further along the limb than it may
-  /// be, twice as far as the patches are apart, as in a cross-section at 30 degrees.
+  /// Whether a patch opposite of patch `i` of a vertex of a limb is of another one: beyond a junction
+  /// at the end of the limb, or further along it than it may be, twice as far as the patches are
+  /// apart, as in a cross-section at 30 degrees.
   bool is_of_other_limb(std::size_t vertex, std::size_t i, std::size_t opposite) const
   {
     constexpr double longest = 2; // distances of the patches
-    constexpr double reach = 2;   // radii
     const std::size_t other = limbs_.vertex_of[quotient_.vertex_of_patch[opposite]];
-    if(other == no_vertex || other == vertex) // what is in no limb is of the nearest one
+    if(other == no_vertex) // what is in no limb is of the nearest one
       return false;
     const double most =
       longest * (surface_.patches[i].mean - surface_.patches[opposite].mean).norm();
-    for(std::size_t next : adjacency_[vertex]) {
-      double way = 0;
-      std::size_t last = vertex;
-      for(std::size_t v : follow(vertex, next, adjacency_)) {
-        way += (limbs_.graph.vertices[v].position - limbs_.graph.vertices[last].position).norm();
-        if(v == other && way <= most)
-          return false;
-        last = v;
-      }
-      if(is_junction(last) && way <= reach * limbs_.graph.vertices[last].radius)
-        return false;
-    }
-    return true;
+    bool is_near = false;
+    visit_around(
+      limbs_.graph, adjacency_, vertex, [&](std::size_t u, std::size_t) { return !is_junction(u); },
+      [&](std::size_t v, double way) {
+        is_near = v == other && way <= most;
+        return v != other && way <= most;
+      });
+    return !is_near;
   }
 
   bool is_junction(std::size_t limb_vertex) const { return adjacency_[limb_vertex].size() > 2; }
@@ -134,6 +139,7 @@ private:
   const Surface& surface_;
   const Samples& samples_;
   std::vector<std::vector<std::size_t>> adjacency_; ///< Of the limbs.
+  std::vector<bool> is_at_junction_; ///< Vertices of limbs, where these are not apart yet.
 };
 
 /// Part 3c: returns the curve of limbs. What the balls of a vertex between limbs have found is the
