@@ -18,7 +18,6 @@
 #include <CGAL/Point_set_skeletonization_3/internal/surface/contract_patches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/estimate_patches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/flat_groups.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/line_components.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -80,9 +79,8 @@ Patches patches_of(const Gaussians& components)
 
 Patch_groups groups_of(const Gaussians& components, double cell_size = cell)
 {
-  return flat_groups(
-    components, line_components(components, neighbors_of(components), Concurrency::sequential),
-    cell_size, options);
+  return flat_groups(components, Box_tree(means_of(components)), patches_of(components), cell_size,
+                     options, Concurrency::sequential);
 }
 
 double width(const Gaussians& components, const Patch_groups::Members& members)
@@ -145,30 +143,31 @@ TEST_CASE("A straight line is divided into pieces that are about as long as wide
     }
 }
 
-TEST_CASE("Components of a twig stay alone, those of the leaf that it ends in do not")
+TEST_CASE("Components of a thin twig stay alone, those of the leaf that it ends in do not")
 {
-  const double length = 0.5, leaf = 0.3, radius = 0.6 * cell;
-  for(unsigned int seed : seeds) {
-    CAPTURE(seed);
-    Gaussians components = components_on(
-      [&](Random& random) {
-        const Vector3 across = radius * random.direction();
-        const double x = length * random.uniform();
-        return Vector3(x + 0.3 * across.x(), 0.4 * x + across.y(), 0.2 * x + across.z());
-      },
-      400, seed);
-    const std::size_t of_twig = components.size();
-    for(const Gaussian& g : components_on(on_plane, 40000, seed))
-      components.push_back({g.weight, Vector3(length, 0.4 * length, 0.2 * length) + leaf * g.mean,
-                            Matrix3::Zero()});
-    const Patch_groups groups = groups_of(components);
-    std::size_t alone_of_twig = 0, alone_of_leaf = 0;
-    for(std::size_t i = 0; i < components.size(); ++i)
-      if(groups[groups.group_of()[i]].size() == 1)
-        ++(i < of_twig ? alone_of_twig : alone_of_leaf);
-    CHECK(10 * alone_of_twig > 9 * of_twig);
-    CHECK(2 * alone_of_leaf < components.size() - of_twig); // along its rim they do
-  }
+  const double length = 0.5, leaf = 0.3;
+  for(unsigned int seed : seeds)
+    for(const double radius : {0.6 * cell, 1.2 * cell}) {
+      CAPTURE(seed, radius / cell);
+      Gaussians components = components_on(
+        [&](Random& random) {
+          const Vector3 across = radius * random.direction();
+          const double x = length * random.uniform();
+          return Vector3(x + 0.3 * across.x(), 0.4 * x + across.y(), 0.2 * x + across.z());
+        },
+        400, seed);
+      const std::size_t of_twig = components.size();
+      for(const Gaussian& g : components_on(on_plane, 40000, seed))
+        components.push_back({g.weight, Vector3(length, 0.4 * length, 0.2 * length) + leaf * g.mean,
+                              Matrix3::Zero()});
+      const Patch_groups groups = groups_of(components);
+      std::size_t alone_of_twig = 0, alone_of_leaf = 0;
+      for(std::size_t i = 0; i < components.size(); ++i)
+        if(groups[groups.group_of()[i]].size() == 1)
+          ++(i < of_twig ? alone_of_twig : alone_of_leaf);
+      CHECK(10 * alone_of_twig > 9 * of_twig);
+      CHECK(2 * alone_of_leaf < components.size() - of_twig); // along its rim they do
+    }
 }
 
 TEST_CASE("Patches of a sphere are as wide as it is round, however fine its components are")

@@ -101,7 +101,7 @@ private:
   /// many scattered ones show by chance. (Components: points on one leaf are not independent.)
   double linearity_within(double radius, const Vector3& place) const
   {
-    const Spread_components around = components_within(surface_, place, radius);
+    const Spread_components around = components_within(surface_.component_tree, place, radius);
     if(around.number < 3)
       return 0;
     const Vector3 variances = principal_axes(around.covariance).variances;

@@ -5,13 +5,12 @@
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_MEDIAL_SAMPLE_KINDS_H
 
 #include <CGAL/Point_set_skeletonization_3/Medial_sample_kind.h>
-#include <CGAL/Point_set_skeletonization_3/internal/core/Dimensionality.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/straightness.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/components_within.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/dimensionality_around.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,9 +22,6 @@ namespace CGAL {
 namespace Point_set_skeletonization_3 {
 namespace internal {
 
-/// Spacings: about 30 patches of a sheet, 6 of a line.
-constexpr double spacings_around = 3;
-
 /// Calls `visit(k)` for each patch around patch `i`, with it.
 template <typename Visit>
 void visit_surroundings(const Surface& surface, std::size_t i, const Visit& visit)
@@ -33,15 +29,6 @@ void visit_surroundings(const Surface& surface, std::size_t i, const Visit& visi
   const Patch& patch = surface.patches[i];
   surface.tree.visit_within(patch.mean, spacings_around * patch.spacing,
                             [&](std::size_t k, double) { visit(surface.tree.order()[k]); });
-}
-
-/// Returns what the cloud around patch `i` is like. O(components around).
-inline Dimensionality dimensionality_around(const Surface& surface, std::size_t i)
-{
-  const Patch& patch = surface.patches[i];
-  const Spread_components around =
-    components_within(surface, patch.mean, spacings_around * patch.spacing);
-  return dimensionality(around.covariance, around.number);
 }
 
 /// Returns how many neighbours of each patch are coplanar with it. O(n).
@@ -84,7 +71,9 @@ inline std::vector<Medial_sample_kind> sample_kinds(const Surface& surface, cons
   for(std::size_t i = 0; i < samples.size(); ++i) {
     Medial_sample_kind kind = is_off_surface(samples[i], surface.patches[i])
                                 ? Medial_sample_kind::solid
-                                : dimensionality_around(surface, i).kind();
+                                : dimensionality_around(surface.patches[i],
+                                                        surface.component_tree)
+                                    .kind();
     if(kind == Medial_sample_kind::scatter && is_on_surface(surface, i, coplanar))
       kind = Medial_sample_kind::sheet;
     result.push_back(kind);
@@ -123,7 +112,8 @@ inline std::vector<bool> twig_patches(const Surface& surface, const Samples& sam
     Straightness straightness;
     visit_surroundings(surface, i, [&](std::size_t k) { straightness.add(is_straight_patch[k]); });
     result[i] = straightness.is_on_lines() ||
-                dimensionality_around(surface, i).kind() == Medial_sample_kind::scatter;
+                dimensionality_around(patches[i], surface.component_tree).kind() ==
+                  Medial_sample_kind::scatter;
   }
   return result;
 }

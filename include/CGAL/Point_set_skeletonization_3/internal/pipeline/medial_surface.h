@@ -18,7 +18,6 @@
 #include <CGAL/Point_set_skeletonization_3/internal/surface/contract_patches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/estimate_patches.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/flat_groups.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/line_components.h>
 
 #include <utility>
 
@@ -48,12 +47,12 @@ inline Surface surface_of(Consolidated_mixture& consolidated, const Surface_opti
                           Concurrency concurrency)
 {
   const Gaussians& components = consolidated.components;
+  const Patches fine = estimate_patches(components, consolidated.neighbors, options, concurrency);
   const Patch_groups flat = // a few twigs close to each other are flat, but no surface
     consolidated.is_of_lines
       ? Patch_groups(components.size())
-      : flat_groups(components, line_components(components, consolidated.neighbors, concurrency),
-                    consolidated.cell_size, options, concurrency);
-  const Patches fine = estimate_patches(components, consolidated.neighbors, options, concurrency);
+      : flat_groups(components, consolidated.tree, fine, consolidated.cell_size, options,
+                    concurrency);
   consolidated.neighbors = K_nearest_neighbors();
   return build_surface(components, consolidated.tree, fine,
                        connected_groups(flat, fine), consolidated.is_of_lines, options,

@@ -6,7 +6,6 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
 
 #include <cstddef>
 
@@ -23,12 +22,11 @@ struct Spread_components
 
 /// Returns the components within a distance of a place. They are equally fine everywhere, while
 /// patches are large where the surface is flat. O(log n + components found).
-inline Spread_components components_within(const Surface& surface, const Vector3& place,
+inline Spread_components components_within(const Box_tree& components, const Vector3& place,
                                            double distance)
 {
   Vector3 sum = Vector3::Zero();
   Spread_components result;
-  const Box_tree& components = surface.component_tree;
   components.visit_within(place, distance, [&](std::size_t k, double) {
     const Vector3 offset = components.positions()[k] - place;
     sum += offset;

@@ -4,14 +4,18 @@
 #ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_FLAT_GROUPS_H
 #define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_FLAT_GROUPS_H
 
+#include <CGAL/Point_set_skeletonization_3/Medial_sample_kind.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/Moments.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/parallel.h>
 #include <CGAL/Point_set_skeletonization_3/internal/core/principal_axes.h>
 #include <CGAL/Point_set_skeletonization_3/internal/mixture/Cell_map.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Octree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch_groups.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface_options.h>
+#include <CGAL/Point_set_skeletonization_3/internal/surface/dimensionality_around.h>
 
 #include <algorithm>
 #include <array>
@@ -34,17 +38,17 @@ namespace internal {
 /// is, and the number of patches is that of the details of the shape, not of its points.
 ///
 /// A piece of a line is no patch, however straight: narrow strips, such as wires and what a scanner
-/// sees of them, are divided into pieces that are about as long as wide, and components that see
-/// nothing but a line stay alone: of a twig there is nothing more to be seen than each of them.
+/// sees of them, are divided into pieces that are about as long as wide, and where the cloud is like
+/// a line, components stay alone: of a twig there is nothing more to be seen than each of them.
 class Flat_merging
 {
 public:
-  /// `cell_size` is the edge length of the finest cells. Refers to Gaussians, marks and options.
-  /// O(n log n).
-  Flat_merging(const Gaussians& gaussians, const std::vector<char>& is_on_line, double cell_size,
-               const Surface_options& options, Concurrency concurrency)
-    : gaussians_(gaussians), is_on_line_(is_on_line), grid_(gaussians, cell_size), options_(options),
-      concurrency_(concurrency), order_(grid_.order(gaussians)), level_of_(gaussians.size(), 0)
+  /// See `flat_groups()`. Refers to all but the cell size. O(n log n).
+  Flat_merging(const Gaussians& gaussians, const Box_tree& tree, const Patches& fine,
+               double cell_size, const Surface_options& options, Concurrency concurrency)
+    : gaussians_(gaussians), tree_(tree), fine_(fine), grid_(gaussians, cell_size),
+      options_(options), concurrency_(concurrency), order_(grid_.order(gaussians)),
+      level_of_(gaussians.size(), 0)
   {}
 
   Patch_groups run()
@@ -68,7 +72,6 @@ private:
     std::uint64_t code = 0;         ///< Without the bits of finer levels.
     Octree_place place{};           ///< In cells of its level.
     std::size_t begin = 0, end = 0; ///< Components, in Morton order.
-    std::size_t on_lines = 0;       ///< Number of components that are on lines.
     Moments moments;                ///< About the centre.
     bool is_complete = true;        ///< No child is divided.
     bool is_whole = true;           ///< It is not divided itself.
@@ -88,7 +91,6 @@ private:
       }
       Cell& cell = cells.back();
       cell.end = k + 1;
-      cell.on_lines += is_on_line_[order_[k].second] ? 1 : 0;
       cell.moments.add(g.weight, g.mean - grid_.center(cell.place, 0), g.covariance);
     }
     return cells;
@@ -108,7 +110,6 @@ private:
       }
       Cell& parent = parents.back();
       parent.end = child.end;
-      parent.on_lines += child.on_lines;
       parent.is_complete = parent.is_complete && child.is_whole;
       if(parent.is_complete)
         parent.moments.add(child.moments,
@@ -121,17 +122,32 @@ private:
         incomplete[parent.code] = true;
     parallel_for(concurrency_, parents.size(), [&](std::size_t i) {
       Cell& parent = parents[i];
-      parent.is_whole = parent.is_complete && !is_mostly_on_lines(parent) &&
-                        is_flat(parent, level) &&
+      parent.is_whole = parent.is_complete && is_flat(parent, level) &&
                         (incomplete.size() == 0 || !touches_any(incomplete, parent.place)) &&
-                        !is_line(parent, parents);
+                        !is_line(parent, parents) && (level > 1 || !is_of_twig(parent));
     });
     return parents;
   }
 
-  static bool is_mostly_on_lines(const Cell& cell)
+  /// Whether the cloud is like a line around most components of a cell: the limb is thin, but may
+  /// be a few components wide, and these are flat by chance. Nearly everywhere the first component
+  /// asked is on a surface, and settles it. O(log n + components around), for the smallest cells.
+  bool is_of_twig(const Cell& cell) const
   {
-    return 2 * cell.on_lines > cell.end - cell.begin;
+    const std::size_t middle = (cell.begin + cell.end) / 2;
+    if(!is_on_line(middle))
+      return false;
+    std::size_t on_lines = 0;
+    for(std::size_t k = cell.begin; k < cell.end; ++k)
+      on_lines += k == middle || is_on_line(k) ? 1 : 0;
+    return 2 * on_lines > cell.end - cell.begin;
+  }
+
+  /// \param k place of the component in Morton order
+  bool is_on_line(std::size_t k) const
+  {
+    return dimensionality_around(fine_[order_[k].second], tree_).kind() ==
+           Medial_sample_kind::line;
   }
 
   /// Whether the variance across the cell is a small share of that of a cell filled with points.
@@ -189,7 +205,8 @@ private:
   }
 
   const Gaussians& gaussians_;
-  const std::vector<char>& is_on_line_; ///< For each component.
+  const Box_tree& tree_; ///< Over the means of the Gaussians.
+  const Patches& fine_;  ///< One of each Gaussian.
   Octree_grid grid_;
   const Surface_options& options_;
   Concurrency concurrency_;
@@ -199,14 +216,16 @@ private:
 
 /// Returns groups of components that are flat together, see `Flat_merging`: each one is alone if
 /// `cell_size` is 0 or too small for an octree. O(n log n). \pre there is a component
-/// \param is_on_line for each component, from `line_components()`
-inline Patch_groups flat_groups(const Gaussians& gaussians, const std::vector<char>& is_on_line,
-                                double cell_size, const Surface_options& options,
-                                Concurrency concurrency = Concurrency::sequential)
+/// \param tree over the means of the components
+/// \param fine one patch per component, from `estimate_patches()`
+/// \param cell_size edge length of the finest cells
+inline Patch_groups flat_groups(const Gaussians& gaussians, const Box_tree& tree,
+                                const Patches& fine, double cell_size,
+                                const Surface_options& options, Concurrency concurrency)
 {
   if(!has_octree(cell_size))
     return Patch_groups(gaussians.size());
-  return Flat_merging(gaussians, is_on_line, cell_size, options, concurrency).run();
+  return Flat_merging(gaussians, tree, fine, cell_size, options, concurrency).run();
 }
 
 } // namespace internal
