@@ -12,6 +12,7 @@
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/K_nearest_neighbors.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Neighbor.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/components_within.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,18 +56,9 @@ inline bool is_in_sheet(std::size_t i, const Gaussians& components, const Box_tr
                         const K_nearest_neighbors& nearest)
 {
   constexpr double reach = 5; // spacings
-  Vector3 sum = Vector3::Zero();
-  Matrix3 products = Matrix3::Zero();
-  double n = 0;
-  tree.visit_within(components[i].mean, reach * spacing_of(i, nearest),
-                    [&](std::size_t k, double) {
-                      const Vector3 offset = tree.positions()[k] - components[i].mean;
-                      sum += offset;
-                      products += offset * offset.transpose();
-                      ++n;
-                    });
-  const Matrix3 covariance = products / n - sum * sum.transpose() / (n * n);
-  return dimensionality(covariance, n).kind() == Medial_sample_kind::sheet;
+  const Spread_components around =
+    components_within(tree, components[i].mean, reach * spacing_of(i, nearest));
+  return dimensionality(around.covariance, around.number).kind() == Medial_sample_kind::sheet;
 }
 
 /// Least share of components on lines of a cloud of lines, of which there are `number`: 0.43 of

@@ -10,8 +10,8 @@
 #include <CGAL/Point_set_skeletonization_3/internal/curve/Skeleton_graph.h>
 #include <CGAL/Point_set_skeletonization_3/internal/curve/surface_quotient.h>
 #include <CGAL/Point_set_skeletonization_3/internal/medial/Sample.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/components_within.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Surface.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/components_within.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Dimensionality.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
+#include <CGAL/Point_set_skeletonization_3/internal/spatial/components_within.h>
 #include <CGAL/Point_set_skeletonization_3/internal/surface/Patch.h>
-#include <CGAL/Point_set_skeletonization_3/internal/surface/components_within.h>
 
 namespace CGAL {
 namespace Point_set_skeletonization_3 {

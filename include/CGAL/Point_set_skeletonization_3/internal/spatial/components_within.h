@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Point_set_skeletonization_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_COMPONENTS_WITHIN_H
-#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_COMPONENTS_WITHIN_H
+#ifndef CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SPATIAL_COMPONENTS_WITHIN_H
+#define CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SPATIAL_COMPONENTS_WITHIN_H
 
 #include <CGAL/Point_set_skeletonization_3/internal/core/Gaussian.h>
 #include <CGAL/Point_set_skeletonization_3/internal/spatial/Box_tree.h>
@@ -22,6 +22,7 @@ struct Spread_components
 
 /// Returns the components within a distance of a place. They are equally fine everywhere, while
 /// patches are large where the surface is flat. O(log n + components found).
+/// \param components over their means
 inline Spread_components components_within(const Box_tree& components, const Vector3& place,
                                            double distance)
 {
@@ -44,4 +45,4 @@ inline Spread_components components_within(const Box_tree& components, const Vec
 } // namespace Point_set_skeletonization_3
 } // namespace CGAL
 
-#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SURFACE_COMPONENTS_WITHIN_H
+#endif // CGAL_POINT_SET_SKELETONIZATION_3_INTERNAL_SPATIAL_COMPONENTS_WITHIN_H
